@@ -95,7 +95,7 @@ class Application {
     if (const char* missing = missing_fonts())
       editor_.notify(Notice::Kind::warning, editor_.language(missing));
     begin_replay(options, std::move(replay));
-    // A replay must not depend on what this user chose and left behind.
+    // A replay must not depend on this user's settings and recovery files.
     if (!player_) load_settings();
     if (player_) settings_of_replay();
     const auto& files = player_ ? player_->replay().start.files : options.files;
@@ -107,14 +107,14 @@ class Application {
     watch_for_the_end();
   }
   ~Application() {
-    // Neither a signal nor a lost display may find a session that is going.
+    // Signals and a lost display must not reach a session that is being destroyed.
     signals_.set_action({});
     on_display_loss({});
   }
   Application(const Application&) = delete;
   Application& operator=(const Application&) = delete;
 
-  /// Gives the exit code.
+  /// Runs the event loop; returns the exit code.
   int run() {
     while (!quit_ && signal_ == 0) {
       begin_session();
@@ -139,7 +139,7 @@ class Application {
       session_.update();
       save_settings();
       const bool blinking = ImGui::GetIO().WantTextInput;
-      // Work that was cancelled ends without a picture of its own; the log and replays wait for the rest.
+      // Cancelled work ends without a frame of its own; the log and replays wait for the idle state instead.
       const bool comes_to_rest = !idle_ && rests();
       if (frames_ <= 0 && !due() && !blinking && !comes_to_rest) continue;
       --frames_;
@@ -157,10 +157,10 @@ class Application {
   }
 
  private:
-  /// ImGui settles hovering and sizes over a few frames.
+  /// Frames drawn after input: ImGui settles hovering and sizes over a few frames.
   static constexpr int frames_after_input = 3;
 
-  /// For both logs; events that have no file are for tests alone.
+  /// Writes an event to both logs; events without a file are for tests only.
   void happened(const char* what, const std::filesystem::path& path) {
     log_.file(what, path);
     if (!path.empty()) run_log_.line(what, path.filename().string());
@@ -215,10 +215,10 @@ class Application {
     return seconds;
   }
 
-  /// Work that is not saved is written before the program ends, whoever ends it.
+  /// Writes unsaved work when the program is ended from outside.
   void watch_for_the_end() {
     signals_.set_action([this](int signal) {
-      session_.write_autosave();  // at once: the main thread may be stuck
+      session_.write_autosave();  // immediately: the main thread may be stuck
       signal_ = signal;
       GlWindow::wake();
     });
@@ -239,7 +239,7 @@ class Application {
   }
 
   void save_settings() {
-    // Not while a slider moves: each value would be written.
+    // Not while a slider moves: every value would be written.
     if (player_ || ImGui::IsAnyMouseDown()) return;
     ExportMemory exports = workbench_.files().remembered();
     if (editor_.settings == saved_settings_ && exports == saved_exports_) return;
@@ -256,7 +256,7 @@ class Application {
            !editor_.jobs.empty() || editor_.meshing.job;
   }
 
-  /// Nothing is left to do until something comes in.
+  /// Whether nothing is left to do until input arrives.
   bool rests() const {
     return frames_ <= 0 && !due() && long_.idle() && edits_.idle() && paper_.idle() && session_.idle() &&
            meshes_.idle() && gauss_.idle() && references_.idle() &&
@@ -295,7 +295,7 @@ class Application {
     window_.begin_frame();
     workbench_.frame();
     const GlWindow::FrameEnd end = window_.end_frame(measured);
-    // Edits of this frame go to the worker at once, so that the next frame may show their surface.
+    // Edits of this frame go to the worker immediately, so that the next frame may show their surface.
     Recompute& recompute = editor_.recompute;
     if (std::exchange(recompute.wants_cancel, false)) engine_.cancel_all();
     if (std::exchange(recompute.wants_now, false)) engine_.recompute_outdated();
@@ -339,7 +339,7 @@ class Application {
                    fill(editor_.language("{0} cannot be written: nothing is recorded."), {path.string()}));
   }
 
-  /// A recording that was asked for begins with the next event, one that was ended has all up to here.
+  /// Starts a requested recording before the next event, and ends a recording that has all events so far.
   void follow_recording() {
     if (const auto path = std::exchange(record_to_, std::nullopt); path && !recorder_) record_session(*path);
     if (!std::exchange(recording_ends_, false)) return;
@@ -358,7 +358,7 @@ class Application {
     editor_.end_recording();
   }
 
-  /// Records from here on: the replay begins with the document as it is now.
+  /// Starts recording; the replay will begin with the document as it is now.
   void record_session(const std::filesystem::path& path) {
     const History& history = editor_.history;
     ReplayStart start{window_.width(), window_.height(), window_.monitor_scale(), {}};
@@ -372,9 +372,9 @@ class Application {
     engine_.reset();
     frames_ = frames_after_input;
     idle_ = false;
-    // The replay waits until what it opened shows.
+    // The replay waits until everything that it opened is shown.
     recorder_->idle(editor_.now);
-    // Where the pointer is, for keys that come before it moves.
+    // Position of the pointer, for keys that come before it moves.
     InputEvent pointer;
     pointer.x = double(ImGui::GetIO().MousePos.x);
     pointer.y = double(ImGui::GetIO().MousePos.y);
@@ -389,8 +389,8 @@ class Application {
     session_waits_ = true;
   }
 
-  /// Opens what a recorded session began with, once the window has its sizes: what is framed then is framed
-  /// as it was. Its file is one of this replay's own.
+  /// Opens the initial document of a recorded session once the window has its sizes, so that views are framed
+  /// as in the recording. The document's file is a scratch file of the replay.
   void begin_session() {
     if (!session_waits_ || frames_ > 0) return;
     session_waits_ = false;
@@ -407,7 +407,7 @@ class Application {
     if (session.dirty) editor_.history.mark_unsaved();
   }
 
-  /// Gives the window what the replay says that the user does now.
+  /// Feeds the window with the replay's events that are due.
   void play() {
     if (!player_) return;
     const auto now = std::chrono::steady_clock::now();
@@ -448,7 +448,7 @@ class Application {
   Editor editor_;
   RebuildEngine engine_;
   BackgroundWork long_;
-  BackgroundWork edits_;  ///< edits that are made by a worker do not wait for files
+  BackgroundWork edits_;  ///< edits made by a worker do not wait for files
   MeshPreviewer meshes_;
   PaperEngine paper_;
   SkinJobs skins_;
@@ -464,15 +464,15 @@ class Application {
   SamplePictures sample_pictures_;
   int frames_ = frames_after_input;
   bool quit_ = false, idle_ = false;
-  bool first_ = true;                       ///< no frame was drawn yet
-  ThemeId pictured_theme_ = ThemeId::dark;  ///< of the pictures of the samples
-  std::atomic<int> signal_ = 0;             ///< that asked for the end
+  bool first_ = true;                       ///< no frame has been drawn yet
+  ThemeId pictured_theme_ = ThemeId::dark;  ///< theme of the samples' pictures
+  std::atomic<int> signal_ = 0;             ///< signal that asked to end
   FrameMeter meter_;
   std::optional<ReplayRecorder> recorder_;
-  std::optional<std::filesystem::path> record_to_;  ///< a recording that is to begin
+  std::optional<std::filesystem::path> record_to_;  ///< file of a requested recording
   bool recording_ends_ = false;
-  bool session_waits_ = false;            ///< what the replay begins with is still to be opened
-  std::optional<ScratchFolder> scratch_;  ///< of a replay that saves
+  bool session_waits_ = false;            ///< the replay's initial document is not opened yet
+  std::optional<ScratchFolder> scratch_;  ///< for a replay that saves files
   std::optional<ReplayPlayer> player_;
   std::chrono::steady_clock::time_point played_at_ = std::chrono::steady_clock::now();
 };
@@ -487,7 +487,7 @@ int fail(const Message& error, const RunLog& run_log) {
 
 int run_window(const WindowOptions& options) {
   SignalWatch signals;  // before the driver and the workers start their threads
-  // A replay is not what this user did: it leaves nothing behind.
+  // A replay is not this user's work and leaves nothing behind.
   const bool user = options.replay.empty();
   const std::filesystem::path state = user ? xdg_folders().state : std::filesystem::path();
   const std::filesystem::path crash_file = CrashReports(state).own_file();

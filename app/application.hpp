@@ -1,13 +1,13 @@
 #pragma once
 
-// Application: the window, its loop, and the workers. Wiring only.
+// Application: wiring of the window, its event loop and the workers.
 
 #include "app/window/window_options.hpp"
 
 namespace hariko {
 
-/// Opens the window and runs until it is closed. Gives the exit code: of a replay 1 when it ended otherwise
-/// than it was recorded.
+/// Opens the window and runs until it is closed. Returns the exit code; 1 for a replay that ended in another
+/// state than its recording.
 int run_window(const WindowOptions& options);
 
 }  // namespace hariko

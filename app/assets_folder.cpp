@@ -26,7 +26,7 @@ fs::path assets_folder(const fs::path& program, const EnvironmentLookup& environ
   while (!folders.empty()) {
     const std::size_t colon = folders.find(':');
     const fs::path folder = fs::path(folders.substr(0, colon)) / "hariko";
-    // The specification demands absolute paths.
+    // The specification requires absolute paths.
     if (folder.is_absolute() && has_samples(folder)) return folder;
     folders = colon == std::string_view::npos ? std::string_view() : folders.substr(colon + 1);
   }

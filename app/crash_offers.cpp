@@ -9,7 +9,7 @@ namespace hariko {
 
 namespace {
 
-constexpr std::size_t log_bytes = 16 * 1024;  // of the end of the log that goes with a report
+constexpr std::size_t log_bytes = 16 * 1024;  // length of the log's end that accompanies a report
 
 }  // namespace
 
@@ -43,7 +43,7 @@ void CrashOffers::dismiss() {
 }
 
 void CrashOffers::show_folder() {
-  std::error_code unknown;  // then it cannot be shown either
+  std::error_code unknown;  // an unknown folder cannot be shown either
   std::filesystem::create_directories(folder_, unknown);
   if (show_(folder_)) return;
   editor_.notify(Notice::Kind::info, fill(editor_.language("The log lies in {0}."), {folder_.string()}));

@@ -1,6 +1,6 @@
 #pragma once
 
-// CrashOffers: shows that an earlier session crashed, and what a report about it needs.
+// CrashOffers: notice of an earlier session's crash, with the data for a report.
 
 #include <filesystem>
 #include <functional>
@@ -11,21 +11,22 @@
 
 namespace hariko {
 
-/// For the main thread.
+/// Crash offers of the workbench. For the main thread.
 class CrashOffers {
  public:
   using ShowFolder = std::function<bool(const std::filesystem::path&)>;
 
-  /// Takes the folder with the reports and the log. All but the paths is borrowed.
+  /// Takes the folder with the reports; borrows the other arguments.
   CrashOffers(Editor& editor, Workbench& workbench, std::filesystem::path folder, const RunLog& log);
-  /// With another way to show a folder, for tests: false where it cannot be shown.
+  /// Constructor with another way to show a folder, for tests; it returns false where it cannot be shown.
   CrashOffers(Editor& editor, Workbench& workbench, std::filesystem::path folder, const RunLog& log,
               ShowFolder show);
 
-  /// The workbench's offers follow.
+  /// Looks for reports and updates the workbench's offers.
   void find();
+  /// Dismisses the reports and updates the workbench's offers.
   void dismiss();
-  /// In the file manager; where there is none a notice says where it lies.
+  /// Shows the folder in the file manager; without one a notice gives its path.
   void show_folder();
 
  private:

@@ -19,10 +19,10 @@ namespace {
 
 constexpr std::size_t stack_size = 64 * 1024, most_calls = 64;
 
-/// Data of the handler, ready before anything is broken. Signal handlers have no user data, and there is
+/// Data of the handler, prepared before anything is broken. Signal handlers have no user data, and there is
 /// one set of them for the process.
 struct Prepared {
-  std::array<char, 4096> file{};  ///< ends with 0; empty for none
+  std::array<char, 4096> file{};  ///< zero-terminated; empty for none
   std::array<char, 4096> about{};
   std::atomic<bool> complete = false;
 };
@@ -33,18 +33,18 @@ Prepared& prepared() {
 }
 
 void say(int descriptor, const char* text) {
-  // Nothing can be done about a standard error that is closed or a disk that is full.
+  // A closed standard error or a full disk cannot be helped.
   [[maybe_unused]] const auto written = ::write(descriptor, text, std::strlen(text));
 }
 
-/// Digits of a number below 10,000.
+/// Writes the digits of a number below 10,000.
 void say_number(int descriptor, unsigned number, unsigned digits) {
   std::array<char, 5> text{};
   for (unsigned i = digits; i-- > 0; number /= 10) text[i] = static_cast<char>('0' + number % 10);
   say(descriptor, text.data());
 }
 
-/// "2026-11-25 16:02:11 UTC", without the calls that may take locks.
+/// Writes the time, "2026-11-25 16:02:11 UTC", without calls that may take locks.
 void say_time(int descriptor) {
   using namespace std::chrono;
   const sys_seconds now{seconds(std::time(nullptr))};
@@ -72,7 +72,7 @@ void say_signal(int descriptor, int signal) {
   say(descriptor, "\n");
 }
 
-/// Only calls that are safe while the heap is broken or locked.
+/// Signal handler. Makes only calls that are safe while the heap is broken or locked.
 void report(int signal) {
   std::array<void*, most_calls> calls{};
   const int count = ::backtrace(calls.data(), most_calls);
@@ -89,10 +89,10 @@ void report(int signal) {
     ::backtrace_symbols_fd(calls.data(), count, file);
     ::close(file);
   }
-  ::raise(signal);  // the handler is gone by now: the default ends the program
+  ::raise(signal);  // the handler is removed by now: the default action ends the program
 }
 
-/// With a 0 at the end; what is too long is cut off.
+/// Copies text with a terminating zero; text that is too long is truncated.
 template <std::size_t N>
 void put(std::array<char, N>& to, std::string_view text) {
   const std::size_t size = std::min(text.size(), N - 1);
@@ -103,13 +103,14 @@ void put(std::array<char, N>& to, std::string_view text) {
 }  // namespace
 
 void report_crashes() {
-  static std::array<char, stack_size> stack;  // the handler's own: the thread's may be what overflowed
+  // Stack for the handler alone: the thread's own may have overflowed.
+  static std::array<char, stack_size> stack;
   stack_t alternative{};
   alternative.ss_sp = stack.data();
   alternative.ss_size = stack.size();
   ::sigaltstack(&alternative, nullptr);
   std::array<void*, 1> first{};
-  ::backtrace(first.data(), 1);  // loads what it needs now, while memory can be had
+  ::backtrace(first.data(), 1);  // loads the libraries that it needs while memory is available
   (void)prepared();
   struct sigaction action {};
   action.sa_handler = report;
@@ -119,11 +120,11 @@ void report_crashes() {
 }
 
 void keep_crash_reports(const std::filesystem::path& file, std::string_view about) {
-  std::error_code unknown;  // without a folder there is no file, and the standard error says it all
+  std::error_code unknown;  // without a folder there is no file; the standard error has everything
   std::filesystem::create_directories(file.parent_path(), unknown);
   Prepared& values = prepared();
   values.complete = false;
-  // A path that is cut off would be another one.
+  // A truncated path would name another file.
   put(values.file, file.native().size() < values.file.size() ? file.native() : std::string());
   put(values.about, std::string(about) + "\n");
   values.complete = true;

@@ -25,7 +25,7 @@ std::int64_t unix_seconds() {
   return duration_cast<seconds>(system_clock::now().time_since_epoch()).count();
 }
 
-/// "ada on studio-3", as far as the lock says.
+/// Owner of a lock, "ada on studio-3", as far as the lock tells.
 std::string owner_text(const Language& tr, const std::optional<LockOwner>& owner) {
   if (!owner || owner->user.empty()) return tr("another program");
   return fill(tr("{0} on {1}"), {owner->user, owner->host});
@@ -38,8 +38,8 @@ struct DocumentSession::Opened {
   OpenedFile file;
   std::optional<FileStamp> stamp;
   FileLock::Attempt attempt;
-  bool own_lock = false;  ///< this session has the lock of the file already
-  bool sample = false;    ///< came with the program
+  bool own_lock = false;  ///< this session has locked the file already
+  bool sample = false;    ///< a sample of the program
 };
 
 struct DocumentSession::Recovered {
@@ -79,9 +79,9 @@ void DocumentSession::open(const fs::path& given, const JoinChoice& join) {
        own = lock_.held() ? lock_.path() : fs::path()](const CancelToken& cancel, const Progress& progress) {
         auto opened = std::make_shared<Opened>();
         opened->path = path;
-        std::error_code unknown;  // where one of them does not exist they are not the same
+        std::error_code unknown;  // where one of them does not exist they are different
         opened->sample = fs::equivalent(path.parent_path(), samples, unknown);
-        // The stamp first: a change while reading must count as one.
+        // The stamp is taken first, so that a change during reading counts as one.
         (void)remove_stale_temporaries(path.parent_path());
         opened->stamp = stamp_of(path);
         opened->file = open_file(path, cancel, progress, join);
@@ -202,7 +202,7 @@ void DocumentSession::save(const fs::path& path, std::function<void()> then) {
 void DocumentSession::start_save(const fs::path& path, std::function<void()> then, bool overwrite) {
   auto saved = std::make_shared<Saved>();
   saved->path = path;
-  // The committed value is saved, not what a drag shows; it may change on while this one is written.
+  // The committed value is saved, not the preview of a drag; it may change while this one is written.
   saved->document = editor_.history.current();
   saved->document_number = editor_.documents;
   saved->serial = editor_.history.serial();
@@ -216,7 +216,7 @@ void DocumentSession::start_save(const fs::path& path, std::function<void()> the
         if (saved->attempt.outcome == Outcome::taken) return saved;
         const auto now = stamp_of(saved->path);
         if (expected.stamp && now && now != expected.stamp) {
-          // Touched is not changed: only another content is asked about.
+          // A touched file is not a changed one: only different content is asked about.
           const auto content = load_document(saved->path);
           saved->changed_on_disk = !content.ok() || !expected.content || !(*content == *expected.content);
           if (saved->changed_on_disk) return saved;
@@ -312,7 +312,8 @@ double DocumentSession::interval() const {
 }
 
 void DocumentSession::update() {
-  if (document_ != editor_.documents) {  // a new document, or none: the file is no longer this session's
+  // Another document, or none: the file no longer belongs to this session
+  if (document_ != editor_.documents) {
     document_ = editor_.documents;
     disk_ = {};
     lock_ = {};
@@ -345,7 +346,7 @@ double DocumentSession::due_in() const {
 }
 
 void DocumentSession::write_autosave() {
-  (void)autosaver_.write(unix_seconds());  // the last words: there is nobody left to tell
+  (void)autosaver_.write(unix_seconds());  // the program ends: there is nobody to report to
 }
 
 void DocumentSession::end() {
@@ -357,7 +358,8 @@ void DocumentSession::end() {
 
 void DocumentSession::find_offers(Pictures& pictures) {
   pictures_ = &pictures;
-  // Reading them takes time, and nothing is to move under the pointer then.
+  // Reading the copies takes time; their places are reserved now, so that nothing moves under the pointer
+  // then.
   workbench_.offers().recovery_places = recovery_.candidates(unix_seconds());
   background_.run(
       {}, [this](const CancelToken&) { return recovery_.leftovers(unix_seconds()); },

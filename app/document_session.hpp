@@ -1,6 +1,6 @@
 #pragma once
 
-// DocumentSession: the open document and its file: opening, saving, the lock, changes by other programs,
+// DocumentSession: the open document and its file: opening, saving, locking, changes by other programs,
 // autosave and recovery.
 
 #include <filesystem>
@@ -21,52 +21,57 @@ namespace hariko {
 
 inline constexpr Code e_document_locked{"E_DOCUMENT_LOCKED"};  ///< another window has the file open
 
-/// For the main thread, but for `write_autosave`.
+/// Session of one document at a time. For the main thread, except `write_autosave`.
 class DocumentSession {
  public:
   struct Hooks {
     std::function<void()> wake;
-    std::function<void()> replaced;  ///< another document: what was computed for the last one is void
-    /// What happened, for the test log: "opened", "saved", "copied", "reverted", "recovered", "autosaved",
-    /// "offers".
+    std::function<void()> replaced;  ///< another document was opened: results for the last one are void
+    /// Event of the session, for the test log: "opened", "saved", "copied", "reverted", "recovered",
+    /// "autosaved", "offers".
     std::function<void(const char* what, const std::filesystem::path&)> log;
   };
-  /// Files in the folder `samples` came with the program: they open as copies without a file.
+  /// `samples`: folder of the program's samples, which open as copies without a file.
   DocumentSession(Editor& editor, Workbench& workbench, const XdgFolders& folders,
                   std::filesystem::path samples, Hooks hooks);
 
-  /// Looks for what earlier sessions left, and for recent files; the workbench's offers follow.
+  /// Looks for recovery copies of earlier sessions and for recent files, and updates the workbench's offers.
   void find_offers(Pictures& pictures);
 
-  /// Asks first where a mesh is broken, or has corners nearly at the same place, unless `join` says what
-  /// becomes of these.
+  /// Opens a file. Asks first where a mesh is broken, or has corners nearly at the same place, unless `join`
+  /// decides about these.
   void open(const std::filesystem::path& path, const JoinChoice& join = {});
+  /// Saves the document; `then` is called after success.
   void save(const std::filesystem::path& path, std::function<void()> then);
+  /// Saves a copy; the document keeps its file.
   void save_copy(const std::filesystem::path& path);
-  /// Brings the file's content back as a step that can be undone.
+  /// Restores the file's content as an undoable step.
   void revert();
+  /// Opens a recovery copy of an earlier session.
   void recover(const std::string& id);
+  /// Removes a recovery copy of an earlier session.
   void discard_recovery(const std::string& id);
 
-  /// Once a turn of the loop: sees what changed and autosaves when it is time.
+  /// Notices changes and autosaves when it is time. To be called once in every turn of the event loop.
   void update();
-  /// Seconds until `update` has something to do; negative when it does not.
+  /// Seconds until `update` has something to do; negative where it has nothing.
   double due_in() const;
+  /// Applies finished work; returns the number of jobs.
   std::size_t publish() { return background_.publish(); }
   bool idle() const { return background_.idle(); }
 
-  /// From any thread: brings the recovery copy up to date with the last `update` before it returns.
+  /// Writes the recovery copy as of the last `update` before it returns. From any thread.
   void write_autosave();
-  /// The user leaves: what is not saved by now was discarded.
+  /// Ends the session: the user leaves, and work that is not saved was discarded.
   void end();
 
  private:
-  /// `copy`: without a file, as if it were new.
+  /// Modes of opening. `copy`: without a file, as if new.
   enum class Mode { normal, read_only, copy };
   struct Opened;
   struct Recovered;
   struct Saved;
-  /// What the document's file held when this session read or wrote it.
+  /// Content of the document's file when this session last read or wrote it.
   struct Disk {
     std::optional<FileStamp> stamp;
     std::optional<Document> content;
@@ -97,11 +102,11 @@ class DocumentSession {
   RecentFiles recent_;
   Autosaver autosaver_;
   Pictures* pictures_ = nullptr;
-  std::uint64_t document_ = 0;  ///< Editor::documents when this session set or saw the document
+  std::uint64_t document_ = 0;  ///< Editor::documents when this session last set or saw the document
   Disk disk_;
   FileLock lock_;
   bool autosaving_ = false, autosave_failed_ = false;
-  BackgroundWork background_;  ///< last: its thread stops before the rest goes
+  BackgroundWork background_;  ///< last: its thread stops before the other members are destroyed
 };
 
 }  // namespace hariko

@@ -1,5 +1,7 @@
 #pragma once
 
+// ScratchFolder: a temporary folder of the program.
+
 #include <cstdlib>
 #include <filesystem>
 #include <string>
@@ -7,7 +9,7 @@
 
 namespace hariko {
 
-/// A folder that goes with the program.
+/// Temporary folder that is removed with this object.
 class ScratchFolder {
  public:
   ScratchFolder() {

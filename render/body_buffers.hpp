@@ -1,6 +1,6 @@
 #pragma once
 
-// BodyBuffers: the faces of solid bodies with their normals, on the GPU. Internal to render/.
+// BodyBuffers: GPU copy of the faces of solid bodies, with normals. Internal to render/.
 
 #include <span>
 #include <utility>
@@ -11,13 +11,13 @@
 
 namespace hariko::gl {
 
-/// Corners of triangles, face by face. Normals run smoothly over edges between faces that turn a little, so
-/// that round bodies look round.
+/// Triangle corners, face by face. Normals are smoothed over edges with a small angle, so that round bodies
+/// look round.
 class BodyBuffers {
  public:
   BodyBuffers(const DisplayPolyhedron& bodies, std::size_t& uploaded);
   GLuint array() const { return array_.name(); }
-  /// Of the faces from `first` to `last`: the first corner, and the number of corners.
+  /// First corner and number of corners of the faces from `first` to `last`.
   std::pair<GLint, GLsizei> corners_of(Index first, Index last) const {
     return {first_corner_[first], first_corner_[last + 1] - first_corner_[first]};
   }
@@ -26,11 +26,11 @@ class BodyBuffers {
  private:
   VertexArray array_;
   Buffer corners_;
-  std::vector<GLint> first_corner_;  ///< one a face, and the end
+  std::vector<GLint> first_corner_;  ///< by face, and the end
 };
 
-/// Unit normals at the corners of all faces, in the order of `face_vertices`: the mean of the normals of the
-/// faces at the vertex that turn by less than 25 degrees from the corner's own.
+/// Unit normals at the corners of all faces, in the order of `face_vertices`: the mean over those faces at
+/// the vertex whose normals differ by less than 25 degrees from the corner's own.
 std::vector<Vector3> corner_normals(const DisplayPolyhedron& bodies);
 
 }  // namespace hariko::gl

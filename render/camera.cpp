@@ -27,8 +27,8 @@ constexpr std::array<std::pair<std::string_view, StandardView>, 7> view_names{{
     {"bottom", StandardView::bottom},
 }};
 
-/// Level orientation: azimuth 0 looks along +y and grows as the eye goes round to +x; elevation is the eye's
-/// height.
+/// Orientation with a level horizon: azimuth 0 looks along +y and grows as the eye moves to +x; elevation is
+/// the angle of the eye above the horizon.
 Eigen::Quaterniond level_orientation(double azimuth, double elevation) {
   const Vector3 right(std::cos(azimuth), std::sin(azimuth), 0);
   const Vector3 back(std::sin(azimuth) * std::cos(elevation), -std::cos(azimuth) * std::cos(elevation),
@@ -102,7 +102,7 @@ Matrix4 Camera::view_matrix() const {
   const Matrix3 to_camera = orientation.conjugate().toRotationMatrix();
   Matrix4 view = Matrix4::Identity();
   view.topLeftCorner<3, 3>() = to_camera;
-  // target first, then the distance along z: keeps the digits of targets far from the world's origin.
+  // Target first, then the distance along z: keeps the precision of targets far from the world's origin.
   view.topRightCorner<3, 1>() = to_camera * -target - Vector3(0, 0, distance);
   return view;
 }
@@ -204,7 +204,7 @@ Camera Camera::frame(std::span<const Vector3> points, PixelSize size) const {
   out.target =
       target + orientation * Vector3((right_most - left_most) / 2, (top_most - bottom_most) / 2, depth);
   out.distance =
-      needed > least_distance ? std::min(needed, greatest_distance) : 1;  // a single point has no size
+      needed > least_distance ? std::min(needed, greatest_distance) : 1;  // a single point has no extent
   return out;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// Camera: where the eye is, as a value, with the mathematics between the world and pixels. No GL.
+// Camera: the eye as a value, with the mapping between the world and pixels. No GL.
 
 #include <Eigen/Geometry>
 #include <optional>
@@ -14,12 +14,15 @@ namespace hariko {
 using Box3 = Eigen::AlignedBox3d;
 using Matrix4 = Eigen::Matrix4d;
 
+/// Standard viewing directions.
 enum class StandardView { iso, front, back, left, right, top, bottom };
 
-/// "iso", "front", ...; nothing for other words.
+/// View by its name "iso", "front", ...; nothing for other words.
 std::optional<StandardView> standard_view_from(std::string_view name);
+/// Inverse of `standard_view_from`.
 std::string_view to_string(StandardView view);
 
+/// Half-line in the world.
 struct Ray {
   Vector3 origin, direction;  ///< direction is unit
   Vector3 at(double t) const { return origin + t * direction; }
@@ -37,15 +40,17 @@ struct ClipRange {
   double near_plane = 0.1, far_plane = 1000;
 };
 
-/// Right-handed world, z up; the front view looks along +y. Camera axes: x right, y up, z towards the viewer.
-/// Pixels: x to the right, y down, (0, 0) is the upper left corner of the upper left pixel.
+/// Perspective or orthographic camera in a right-handed world with z up; the front view looks along +y.
+/// Camera axes: x right, y up, z towards the viewer. Pixels: x to the right, y down, (0, 0) is the upper left
+/// corner of the upper left pixel.
 struct Camera {
-  Vector3 target = Vector3::Zero();                                 ///< what the view turns about
+  Vector3 target = Vector3::Zero();                                 ///< centre of rotation
   Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();  ///< camera axes to world axes, unit
-  double distance = 10;                                             ///< eye to target, > 0, document's unit
-  double field_of_view = 0.5;                                       ///< vertical, radians, in (0, pi)
-  bool orthographic = false;  ///< keeps the size that the target's plane has in perspective
+  double distance = 10;        ///< eye to target, > 0, in the document's unit
+  double field_of_view = 0.5;  ///< vertical, radians, in (0, pi)
+  bool orthographic = false;   ///< orthographic; the target's plane has the same size as in perspective
 
+  /// Camera with the orientation of a standard view.
   static Camera standard(StandardView view);
 
   Vector3 right() const { return orientation * Vector3::UnitX(); }
@@ -57,12 +62,12 @@ struct Camera {
   /// Length that one pixel covers in the target's plane.
   double pixel_length(PixelSize size) const { return view_height() / size.height; }
 
-  /// World to camera axes (rigid).
+  /// Matrix from the world to camera axes (rigid).
   Matrix4 view_matrix() const;
-  /// Camera axes to GL clip space.
+  /// Matrix from camera axes to GL clip space.
   Matrix4 projection_matrix(PixelSize size, ClipRange clip) const;
-  /// Planes that enclose a box with a margin; near stays at least far / 20,000 so that a 24-bit depth buffer
-  /// separates neighbours. An empty box gives planes round the target.
+  /// Near and far planes that enclose a box with a margin. Near is at least far / 20,000, so that a 24-bit
+  /// depth buffer separates neighbouring surfaces. An empty box gives planes round the target.
   ClipRange clip_range(const Box3& box) const;
 
   /// Turntable: yaw about the world's z, pitch about the camera's x (radians, positive turns the model to the
@@ -71,19 +76,19 @@ struct Camera {
   Camera orbit(double yaw, double pitch) const { return orbit(yaw, pitch, target); }
   /// Trackball: turns about the camera's own axes, the horizon may tilt.
   Camera trackball(double yaw, double pitch, const Vector3& pivot) const;
-  /// Moves so that the target's plane follows a cursor moved by (dx, dy) pixels.
+  /// Moves the camera so that the target's plane follows a cursor moved by (dx, dy) pixels.
   Camera pan(double dx, double dy, PixelSize size) const;
   /// Scales the distance by `factor` (> 0; < 1 comes closer) and keeps the point of the target's plane under
-  /// the pixel.
+  /// the pixel fixed.
   Camera zoom(double factor, const Vector2& pixel, PixelSize size) const;
-  /// The same orientation with all points visible, as large as possible with a margin of 8 %; the target lies
-  /// at the middle of their depths. Points that are not finite are ignored; none leave the camera alone.
-  /// O(points).
+  /// Same orientation with all points visible, as large as possible with a margin of 8 %; the target lies at
+  /// the middle of their depths. Points that are not finite are ignored; without points the camera is
+  /// unchanged. O(points).
   Camera frame(std::span<const Vector3> points, PixelSize size) const;
-  /// The same for a box.
+  /// Same as above for the corners of a box.
   Camera frame(const Box3& box, PixelSize size) const;
-  /// Between two cameras, x in [0, 1]: for eased view changes. Target and log-distance linear, orientation
-  /// slerp.
+  /// Interpolation between two cameras, x in [0, 1], for eased view changes: target and logarithm of the
+  /// distance linearly, orientation by slerp.
   static Camera mix(const Camera& from, const Camera& to, double x);
 
   friend bool operator==(const Camera& a, const Camera& b) {
@@ -92,16 +97,16 @@ struct Camera {
   }
 };
 
-/// A camera with a viewport: from points to pixels and back. Cheap to make, a snapshot.
+/// Projection between world points and pixels, for a camera with a viewport. Cheap to make; a snapshot.
 class Projector {
  public:
   Projector(const Camera& camera, PixelSize size);
 
   /// Pixel of a world point and its distance from the eye's plane (z); nothing at or behind the eye.
   std::optional<Vector3> project(const Vector3& world) const;
-  /// The ray through a pixel position; orthographic rays start on the eye's plane.
+  /// Ray through a pixel; orthographic rays start on the eye's plane.
   Ray ray(const Vector2& pixel) const;
-  /// The point under a pixel on the plane through `anchor` that faces the viewer: for dragging.
+  /// Point under a pixel on the plane through `anchor` that is parallel to the view plane, for dragging.
   Vector3 on_facing_plane(const Vector2& pixel, const Vector3& anchor) const;
   /// Length of one pixel at a world point.
   double pixel_length_at(const Vector3& world) const;

@@ -16,7 +16,7 @@ namespace {
 struct MapFacts {
   SurfaceMap map;
   std::string_view word, title;
-  int length_power;  ///< of the unit; 0 for pure numbers and maps without values
+  int length_power;  ///< power of the length unit; 0 for pure numbers and maps without values
 };
 constexpr std::array<MapFacts, surface_map_count> facts{{
     {SurfaceMap::shaded, "shaded", "Shaded", 0},
@@ -42,8 +42,8 @@ float from_linear(double x) {
   return static_cast<float>(x <= 0.0031308 ? 12.92 * x : 1.055 * std::pow(x, 1 / 2.4) - 0.055);
 }
 
-/// Oklab in polar form (Ottosson 2020): equal steps look equal. Lightness 0..1, chroma about 0..0.3, hue in
-/// degrees.
+/// Colour in polar Oklab (Ottosson 2020), which is perceptually uniform. Lightness 0 .. 1, chroma about 0 ..
+/// 0.3, hue in degrees.
 struct Polar {
   double lightness, chroma, hue;
 };
@@ -64,7 +64,7 @@ Color mix_oklab(const Polar& p, const Polar& q, double x) {
   return from_oklab(p.lightness + x * (q.lightness - p.lightness), pa + x * (qa - pa), pb + x * (qb - pb));
 }
 
-// Lightness of the sequential stops grows by equal steps; chroma stays inside the sRGB gamut.
+// Sequential stops: lightness grows by equal steps; chroma stays inside the sRGB gamut.
 constexpr std::array<Polar, 7> sequential_stops{{{0.26, 0.100, 305},
                                                  {0.37, 0.125, 282},
                                                  {0.48, 0.110, 245},
@@ -72,11 +72,11 @@ constexpr std::array<Polar, 7> sequential_stops{{{0.26, 0.100, 305},
                                                  {0.70, 0.135, 158},
                                                  {0.81, 0.170, 128},
                                                  {0.92, 0.180, 103}}};
-// Both halves reach the same lightness, so that equal magnitudes look equally strong.
+// Diverging ends have equal lightness, so that equal magnitudes look equally strong.
 constexpr Polar blue_end{0.45, 0.165, 262}, white_middle{0.985, 0.0, 0}, red_end{0.45, 0.165, 25};
 constexpr Polar blue_half{0.72, 0.110, 252}, red_half{0.72, 0.120, 35};
 
-// Blue and orange differ for every kind of colour vision; the lightness carries the magnitude.
+// Blue and orange differ for every kind of colour vision; lightness carries the magnitude.
 constexpr Polar orange_end{0.52, 0.145, 58}, orange_half{0.77, 0.115, 68};
 constexpr std::array<Polar, 7> safe_sequential_stops{{{0.24, 0.085, 262},
                                                       {0.35, 0.075, 262},
@@ -94,7 +94,7 @@ std::vector<float> finite_values(std::span<const float> values) {
   return out;
 }
 
-/// Distance of ticks: factor * 10^exponent.
+/// Spacing of ticks: factor * 10^exponent.
 struct TickStep {
   double factor = 1;
   int exponent = 0;
@@ -102,8 +102,8 @@ struct TickStep {
   int decimals() const { return std::max(0, -exponent + (factor == 2.5 ? 1 : 0)); }
 };
 
-/// The largest step that gives at least `count` ticks, or a smaller one that meets both ends of the range
-/// with fewer than twice as many.
+/// Largest spacing that gives at least `count` ticks, or a smaller one that meets both ends of the range with
+/// fewer than twice as many.
 TickStep tick_step(ValueRange range, int count) {
   const double extent = range.high - range.low, most = extent / (count - 1) * (1 + 1e-9);
   const auto meets = [](double end, double step) {
@@ -123,7 +123,7 @@ TickStep tick_step(ValueRange range, int count) {
   return *fallback;
 }
 
-/// The least "round" number not below `raw`.
+/// Smallest round number that is not below `raw`.
 double nice_end(double raw) {
   const double power = std::pow(10.0, std::floor(std::log10(raw)));
   for (const double factor : {1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 6.0, 8.0})
@@ -269,7 +269,7 @@ ValueRange automatic_range(SurfaceMap map, std::span<const float> values) {
   const ValueRange inner = percentile_range(values, 0.02);
   const bool diverging = scale_of(map) == ColorScale::diverging;
   const double m = std::max(std::abs(inner.low), std::abs(inner.high));
-  // Below this the values are rounding noise of a plane: a full scale of noise would mislead.
+  // Below this, values are rounding noise of a plane, and a full scale of noise would mislead.
   const double end = m > 1e-12 ? nice_end(m) : 1.0;
   return diverging ? ValueRange{-end, end} : ValueRange{0, end};
 }
@@ -288,7 +288,7 @@ ValueRange value_range(SurfaceMap map, const MapRange& settings, std::span<const
       range = full_range(values);
       break;
   }
-  // A constant, or rounding noise round one, fills a range of its own size.
+  // A constant, even with rounding noise, gets a range of its own magnitude.
   const double size = std::max(std::abs(range.low), std::abs(range.high));
   if (range.high - range.low > 1e-5 * size && size > 1e-12) return range;
   const double margin = size > 1e-12 ? 0.5 * size : 1.0, middle = (range.low + range.high) / 2;

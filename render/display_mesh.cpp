@@ -17,12 +17,12 @@ using Curves = DisplayMesh::Curves;
 
 constexpr std::size_t chunk_grain = 2;
 
-/// Room for one evaluation of up to a chunk's patches.
+/// Buffers for the evaluation of up to a chunk's patches.
 struct Scratch {
   std::vector<Vector3> positions, normals;
 };
 
-/// Evaluates `patches` (all of one chunk that begins with patch `first`) into the chunk.
+/// Evaluates `patches`, all of the chunk that begins with patch `first`.
 void fill_chunk(const Surface& surface, const GridPattern& pattern, const std::vector<Vector2>& parameters,
                 const MapFunction& map, std::span<const Index> patches, Index first, Chunk& chunk,
                 Scratch& scratch) {
@@ -37,8 +37,8 @@ void fill_chunk(const Surface& surface, const GridPattern& pattern, const std::v
   for (std::size_t k = 0; k < patches.size(); ++k)
     for (std::size_t i = 0; i < n; ++i) {
       Vector3 normal = scratch.normals[k * n + i];
-      // The fast path gives up where derivatives are parallel; the surface then decides from the node's
-      // plane.
+      // The fast evaluation gives no normal where derivatives are parallel; the surface then derives one from
+      // the node's tangent plane.
       if (!(normal.squaredNorm() > 0.25)) normal = surface.normal(patches[k], parameters[i]);
       chunk.vertices[(patches[k] - first) * n + i] = {as_floats(scratch.positions[k * n + i]),
                                                       as_floats(normal)};
@@ -56,7 +56,7 @@ void fill_chunk(const Surface& surface, const GridPattern& pattern, const std::v
         Vector3(double(vertex.position[0]), double(vertex.position[1]), double(vertex.position[2])));
 }
 
-/// The piece of a side that lies between two fractions, as mesh vertices; whole intervals only.
+/// Mesh vertices of the part of a side between two fractions; whole intervals only.
 std::vector<Index> side_vertices(const GridPattern& pattern, const PatchSide& at, double begin, double end) {
   const std::vector<int> side = pattern.side(at.side);
   const Index base = at.patch * static_cast<Index>(pattern.point_count());
@@ -165,7 +165,7 @@ std::shared_ptr<const DisplayMesh> DisplayMesh::refreshed(const Surface& surface
   std::sort(sorted.begin(), sorted.end());
   sorted.erase(std::unique(sorted.begin(), sorted.end()), sorted.end());
   HARIKO_ASSERT(sorted.empty() || sorted.back() < patch_count_, "patch out of range");
-  std::vector<std::span<const Index>> groups;  // one a touched chunk
+  std::vector<std::span<const Index>> groups;  // one for each affected chunk
   for (std::size_t i = 0; i < sorted.size();) {
     std::size_t j = i;
     while (j < sorted.size() && sorted[j] / patches_per_chunk == sorted[i] / patches_per_chunk) ++j;

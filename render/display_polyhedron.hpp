@@ -1,6 +1,6 @@
 #pragma once
 
-// DisplayPolyhedron: a polyhedron made ready for the screen and for picking. A value without GL.
+// DisplayPolyhedron: a polyhedron prepared for display and picking. A value without GL.
 
 #include <array>
 #include <memory>
@@ -14,10 +14,11 @@
 
 namespace hariko {
 
+/// Kinds of displayed edges.
 enum class EdgeKind : std::uint8_t { plain, crease, boundary };
 inline constexpr int edge_kind_count = 3;
 
-/// Dense indices are those of the polyhedron it was made from.
+/// Polyhedron in single precision. Dense indices are those of the source polyhedron.
 struct DisplayPolyhedron {
   Vector3 origin = Vector3::Zero();
   std::vector<std::array<float, 3>> positions;  ///< relative to the origin
@@ -26,9 +27,9 @@ struct DisplayPolyhedron {
   std::vector<Index> face_offsets{0}, face_vertices;
   std::vector<VertexId> vertex_ids;  ///< ascending
   std::vector<FaceId> face_ids;      ///< ascending
-  Box3 box;                          ///< of the positions, relative to the origin
+  Box3 box;                          ///< bounding box of the positions, relative to the origin
 
-  std::vector<float> alpha, beta;  ///< tensions of all vertices and edges; of reference meshes none
+  std::vector<float> alpha, beta;  ///< tensions of all vertices and edges; empty for reference meshes
   std::vector<Index> corners, smooth, pinned;  ///< vertices with these tags or pins
 
   std::size_t face_count() const { return face_offsets.size() - 1; }
@@ -41,16 +42,17 @@ struct DisplayPolyhedron {
 
   EdgeId edge_id(Index e) const { return EdgeId::of(vertex_ids[edges[e][0]], vertex_ids[edges[e][1]]); }
 
+  /// Display polyhedron relative to `origin`. O(elements).
   static std::shared_ptr<const DisplayPolyhedron> build(const Polyhedron& polyhedron, const Shaping& shaping,
                                                         const Vector3& origin);
-  /// The same elements with another shaping. O(elements).
+  /// Copy of the same elements with another shaping. O(elements).
   std::shared_ptr<const DisplayPolyhedron> shaped(const Polyhedron& polyhedron, const Shaping& shaping) const;
-  /// The same elements at the polyhedron's present positions (its topology must be the one this was built
-  /// from).
+  /// Copy of the same elements at the polyhedron's present positions; the polyhedron must have the topology
+  /// of the source. O(vertices).
   std::shared_ptr<const DisplayPolyhedron> moved(const Polyhedron& polyhedron) const;
 };
 
-/// The polyhedron of an object, or the control net of its patches; null for others.
+/// Polyhedron of an object, or the control net of its patches; null for other objects.
 std::shared_ptr<const DisplayPolyhedron> cage_of(const Object& object);
 
 /// Elements to emphasise, dense indices of the polyhedron.

@@ -1,6 +1,6 @@
 #pragma once
 
-// Line drawings are seen by the cameras of pictures.
+// Conversion of picture cameras to views of line drawings.
 
 #include <optional>
 
@@ -10,8 +10,8 @@
 
 namespace hariko {
 
-/// What the camera sees, on a page of this size (> 0, in any unit): the same as in a picture of this shape.
-/// `shown`: the box round all that is drawn, in the world.
+/// View that shows, on a page of this size (> 0, in any unit), the same as the camera in a picture of this
+/// shape. `shown`: bounding box of everything drawn, in the world.
 DrawingView drawing_view(const Camera& camera, double width, double height, const Box3& shown,
                          const std::optional<SectionPlane>& section = {});
 

@@ -1,7 +1,6 @@
 #pragma once
 
-// The curves of a surface that stand for the edges of the polyhedron that it is made from: what is seen of an
-// edge, and so what is picked and emphasised.
+// Curves of a surface that represent the edges of its source polyhedron, for display, picking and emphasis.
 
 #include <memory>
 #include <span>
@@ -12,30 +11,31 @@
 
 namespace hariko {
 
-/// Curves over each edge. Of an object with a live mirror an edge has its own curve and the
-/// image's.
+/// Curves over each edge. In an object with a live mirror an edge has its own curve and that of its image.
 struct EdgeCurves {
-  /// A curve, as segments of one kind that follow each other.
+  /// Curve, as consecutive segments of one kind.
   struct Run {
     CurveKind kind = CurveKind::network;
     Index first = 0, count = 0;  ///< into segments(kind)
   };
-  std::shared_ptr<const DisplayMesh::Curves> curves;  ///< what the numbers refer to
-  std::vector<Index> offsets;                         ///< into `runs`: one for each edge, and the end
+  std::shared_ptr<const DisplayMesh::Curves> curves;  ///< segments that the runs refer to
+  std::vector<Index> offsets;                         ///< into `runs`: by edge, and the end
   std::vector<Run> runs;
 
+  /// Curves over an edge.
   std::span<const Run> of(Index edge) const {
     return {runs.data() + offsets[edge], runs.data() + offsets[edge + 1]};
   }
-  /// False for edges that the surface has no curve over.
+  /// Whether the surface has a curve over the edge.
   bool covers(Index edge) const { return edge + 1 < offsets.size() && offsets[edge] < offsets[edge + 1]; }
+  /// Segments of a curve.
   std::span<const CurveSegment> segments(const Run& run) const {
     return std::span(curves->segments[std::size_t(run.kind)]).subspan(run.first, run.count);
   }
 };
 
-/// By the edges that the curves name; those that the polyhedron does not have (any more) are left out. Holds
-/// for meshes and polyhedra that share their curves and edges with these. O(n log n).
+/// Assigns curves to the edges that they name; curves of edges that the polyhedron does not have are left
+/// out. Valid for all meshes and polyhedra that share these curves and edges. O(n log n).
 std::shared_ptr<const EdgeCurves> edge_curves(const DisplayMesh& mesh, const DisplayPolyhedron& polyhedron);
 
 }  // namespace hariko

@@ -1,6 +1,6 @@
 #pragma once
 
-// FrameTarget: the framebuffers that a picture is drawn into and resolved to. Internal to render/.
+// FrameTarget: multisampled framebuffer for drawing and its resolved texture. Internal to render/.
 
 #include "core/base/result.hpp"
 #include "render/camera.hpp"
@@ -8,13 +8,14 @@
 
 namespace hariko::gl {
 
+/// Framebuffers of one picture.
 class FrameTarget {
  public:
-  /// Makes the framebuffers fit; does nothing when they do. Errors: E_GL_FRAMEBUFFER.
+  /// Allocates the framebuffers unless they have the size already. Errors: E_GL_FRAMEBUFFER.
   Result<Done> resize(PixelSize size, int samples);
-  /// Binds for drawing, with the viewport set.
+  /// Binds the framebuffer for drawing and sets the viewport.
   void bind() const;
-  /// After drawing: the picture is in texture().
+  /// Resolves the samples after drawing; the picture is then in texture().
   void resolve() const;
 
   GLuint texture() const { return texture_.name(); }

@@ -1,6 +1,6 @@
 #pragma once
 
-// Owners of GL objects: created on construction, deleted on destruction; movable. Internal to render/.
+// Owners of GL objects: created by `make`, deleted on destruction; movable. Internal to render/.
 
 #include <epoxy/gl.h>
 
@@ -8,11 +8,12 @@
 
 namespace hariko::gl {
 
-/// Traits has create() -> GLuint and destroy(GLuint).
+/// Owner of a GL name. Traits has create() -> GLuint and destroy(GLuint).
 template <class Traits>
 class Object {
  public:
   Object() = default;
+  /// Creates a GL object; the default constructor creates none.
   static Object make() {
     Object object;
     object.name_ = Traits::create();
@@ -33,6 +34,7 @@ class Object {
   GLuint name_ = 0;
 };
 
+/// Creation and deletion of buffers; likewise the traits below for their kinds of objects.
 struct BufferTraits {
   static GLuint create() {
     GLuint name = 0;

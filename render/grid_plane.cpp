@@ -7,7 +7,7 @@ namespace hariko {
 
 namespace {
 
-/// The axis that a direction runs along, or nothing.
+/// Axis that a direction runs along, or nothing.
 std::optional<int> axis_of(const Vector3& direction) {
   constexpr double aslant = 1e-5;  // radians
   Eigen::Index axis = 0;
@@ -28,7 +28,8 @@ std::optional<SidePlane> side_plane(const Camera& camera) {
 
 GridLines grid_lines(const GridSettings& grid, double height) {
   if (grid.spacing > 0) return {grid.spacing, 1};
-  // Fine lines between 1/100 and 1/10 of the view; they fade out as the view grows towards the next power.
+  // Fine lines are between 1/100 and 1/10 of the view; they fade out as the view grows towards the next power
+  // of ten.
   const double level = std::log10(height) - 1.35;
   const double power = std::floor(level);
   return {std::pow(10.0, power), 1 - (level - power)};

@@ -1,6 +1,6 @@
 #pragma once
 
-// The plane that a grid lies in, its lines, and the numbers beside them. Pure.
+// Grid of a view: its plane, lines and numbers. Pure functions.
 
 #include <optional>
 #include <vector>
@@ -10,33 +10,35 @@
 
 namespace hariko {
 
-/// World axes (0, 1, 2) of a plane that a view looks at squarely: to the right or left, and upwards or
-/// downwards.
+/// World plane that a view sees face on: axis numbers (0, 1, 2) of its horizontal and vertical direction on
+/// the screen, without sign.
 struct SidePlane {
   int across = 0, up = 1;
   int normal() const { return 3 - across - up; }
   friend bool operator==(const SidePlane&, const SidePlane&) = default;
 };
-/// The grid for a camera in parallel projection that looks along an axis; nothing for others, which see the
-/// ground.
+/// Plane of the grid for an orthographic camera that looks along an axis; nothing for other cameras, which
+/// see the ground.
 std::optional<SidePlane> side_plane(const Camera& camera);
 
-/// Distance of the fine lines, and how strongly they are drawn, 0 .. 1; every `grid_cells`th line is a coarse
-/// one. `height`: of the view, in the document's unit.
+/// Spacing of the fine lines, in the document's unit, and their opacity, 0 .. 1.
 struct GridLines {
   double spacing = 1, weight = 1;
 };
+/// Number of fine cells in a coarse one.
 inline constexpr double grid_cells = 10;
+/// Lines of the grid for a view of this height, in the document's unit.
 GridLines grid_lines(const GridSettings& grid, double height);
 
-/// A number at the border of a view: the coordinate of a line of its grid.
+/// Number at the border of a view: the coordinate of a grid line.
 struct GridLabel {
-  bool upright = false;  ///< of a line that runs upwards: it stands at the lower border, others at the left
-  double pixel = 0;      ///< where the line meets that border, from the left or from above
+  bool upright = false;  ///< belongs to a vertical line, at the lower border; others are at the left one
+  double pixel = 0;      ///< position where the line meets that border, from the left or from above
   double value = 0;      ///< in the document's unit
 };
-/// Numbers of a side view's grid, at least `room` pixels apart: at coarse lines, or every second, fifth,
-/// tenth of them; empty for other views. `decimals` is how many the values need. At most a hundred.
+/// Numbers of a side view's grid, at least `room` pixels apart: at coarse lines, or at every second, fifth or
+/// tenth of them; empty for other views. At most a hundred. `decimals` is set to the number that the values
+/// need.
 std::vector<GridLabel> grid_labels(const Camera& camera, PixelSize size, const GridSettings& grid,
                                    double room, int& decimals);
 

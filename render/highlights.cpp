@@ -4,7 +4,7 @@ namespace hariko::gl {
 
 namespace {
 
-constexpr float hidden_share = 0.32F;  // of the opacity of what can be seen
+constexpr float hidden_share = 0.32F;  // opacity relative to visible parts
 constexpr int mesh_stride = sizeof(DisplayVertex) / sizeof(float);
 
 class HighlightPass {
@@ -32,7 +32,8 @@ class HighlightPass {
     for (const Depth depth : {Depth::hidden, Depth::visible}) {
       const float opacity = depth == Depth::hidden ? hidden_share : 1;
       painter_.some_edges(frame_, model, *object_.polyhedron, polyhedron_, bare, style, depth, opacity);
-      // The straight line of an edge with a curve is the lesser part: inside of the surface it would confuse.
+      // The straight line of an edge with a curve is drawn only where visible: inside the surface it would
+      // confuse.
       if (depth == Depth::visible)
         painter_.some_edges(frame_, model, *object_.polyhedron, polyhedron_, lines, style, depth, opacity);
       if (surface_)

@@ -16,7 +16,7 @@ namespace {
 constexpr std::uint64_t most_pixels = 64'000'000;
 constexpr std::uint64_t largest_file = std::uint64_t{1} << 29;
 
-/// Frees what libpng's simplified interface holds, on every way out.
+/// Owner of libpng's simplified image, which is freed on every path.
 struct PngImage {
   png_image image{};
   PngImage() { image.version = PNG_IMAGE_VERSION; }
@@ -117,7 +117,7 @@ Image downsample(const Image& image, int factor) {
   const float share = 1.0F / static_cast<float>(factor * factor);
   for (int y = 0; y < out.height; ++y)
     for (int x = 0; x < out.width; ++x) {
-      std::array<float, 3> sum{};  // weighted by alpha, so that transparent pixels do not colour the edge
+      std::array<float, 3> sum{};  // weighted by alpha, so that transparent pixels do not tint the edge
       float alpha = 0;
       for (int j = 0; j < factor; ++j)
         for (int i = 0; i < factor; ++i) {

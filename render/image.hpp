@@ -1,6 +1,6 @@
 #pragma once
 
-// Image: pixels in memory, and PNG files of them.
+// Image: pixels in memory, and their PNG files.
 
 #include <cstdint>
 #include <filesystem>
@@ -16,7 +16,7 @@ namespace hariko {
 inline constexpr Code e_image_encode{"E_IMAGE_ENCODE"};
 inline constexpr Code e_image_read{"E_IMAGE_READ"};
 
-/// 8-bit sRGB with straight alpha, rows from top to bottom.
+/// Image in 8-bit sRGB with straight alpha, rows from top to bottom.
 struct Image {
   int width = 0, height = 0;
   std::vector<std::uint8_t> rgba;
@@ -28,7 +28,7 @@ struct Image {
         rgba(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows) * 4) {}
   std::uint8_t* pixel(int x, int y) { return rgba.data() + offset(x, y); }
   const std::uint8_t* pixel(int x, int y) const { return rgba.data() + offset(x, y); }
-  /// Paints over a pixel with coverage in [0, 1]; pixels outside are ignored.
+  /// Blends a colour over a pixel with coverage in [0, 1]; pixels outside the image are ignored.
   void blend(int x, int y, Color color, double coverage);
 
  private:
@@ -37,18 +37,21 @@ struct Image {
   }
 };
 
-/// The file is either the old or the whole new one. Errors: E_FILE_WRITE, E_IMAGE_ENCODE.
+/// Writes a PNG file atomically: it is either the old or the whole new one. Errors: E_FILE_WRITE,
+/// E_IMAGE_ENCODE.
 Result<Done> write_png(const std::filesystem::path& path, const Image& image);
-/// Errors: those of read_file, E_IMAGE_READ (also above 64 million pixels).
+/// Reads a PNG file. Errors: those of read_file, E_IMAGE_READ (also above 64 million pixels).
 Result<Image> read_png(const std::filesystem::path& path);
 
+/// Whether bytes begin like a PNG file.
 bool looks_like_png(std::string_view file);
-/// Size and pixels of a PNG file in memory. Errors: E_IMAGE_READ.
+/// Size of a PNG file in memory. Errors: E_IMAGE_READ.
 Result<PixelSize> png_size(std::string_view file);
+/// Pixels of a PNG file in memory. Errors: E_IMAGE_READ, also above `most_pixels`.
 Result<Image> decode_png(std::string_view file, std::uint64_t most_pixels);
 
-/// Averages blocks of factor x factor pixels, in linear light. Width and height must be multiples of the
-/// factor.
+/// Image averaged over blocks of factor x factor pixels, in linear light. Width and height must be multiples
+/// of the factor.
 Image downsample(const Image& image, int factor);
 
 }  // namespace hariko

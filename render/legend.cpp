@@ -11,7 +11,7 @@ namespace hariko {
 
 namespace {
 
-/// Fills the part of the pixel grid that [x0, x1] x [y0, y1] covers.
+/// Fills the rectangle [x0, x1] x [y0, y1], with partial coverage at its border.
 void fill(Image& image, double x0, double y0, double x1, double y1, Color color) {
   for (int y = static_cast<int>(std::floor(y0)); y < y1; ++y)
     for (int x = static_cast<int>(std::floor(x0)); x < x1; ++x) {
@@ -25,7 +25,7 @@ void fill(Image& image, double x0, double y0, double x1, double y1, Color color)
 
 bool paint_legend(Image& image, const Legend& legend) {
   const double s = legend.scale;
-  // The picture may be small: the bar takes at most half its height.
+  // In a small picture the bar takes at most half the height.
   const double height = std::min(200 * s, 0.5 * image.height), width = 14 * s;
   const double left = 24 * s, bottom = image.height - 28 * s, top = bottom - height;
   const Color text = legend.on_dark ? color_from_hex("#e6e6e6") : color_from_hex("#2b2d31");
@@ -36,7 +36,7 @@ bool paint_legend(Image& image, const Legend& legend) {
   const std::vector<Tick> ticks = legend_ticks(legend.range, 5);
   std::string heading(title_of(legend.map));
   if (!legend.unit.empty()) heading += " [" + legend.unit + "]";
-  // A panel behind it all, so that the text reads over the model.
+  // Translucent panel behind the legend, so that the text is readable over the model.
   const double body = (legend.histogram.empty() ? 0 : 40 * s) + width + 10 * s;
   double across = painter.width(heading, size);
   for (const Tick& tick : ticks) across = std::max(across, body + painter.width(tick.label, size));

@@ -1,7 +1,6 @@
 #pragma once
 
-// Legend: the bar that says which colour means which value, painted into pictures. The window paints its own
-// from the same ranges and ticks.
+// Legend of a colour map, painted into pictures. The window paints its own from the same ranges and ticks.
 
 #include <string>
 
@@ -10,21 +9,22 @@
 
 namespace hariko {
 
+/// Content and look of a legend.
 struct Legend {
   SurfaceMap map = SurfaceMap::gaussian;
   ValueRange range;
-  std::string unit;              ///< as from unit_of
-  std::vector<float> histogram;  ///< drawn beside the bar when not empty
-  bool on_dark = true;           ///< colour of text
+  std::string unit;              ///< as from `unit_of`
+  std::vector<float> histogram;  ///< drawn beside the bar unless empty
+  bool on_dark = true;           ///< light text for dark backgrounds
   double scale = 1;              ///< pixels per design pixel
   bool colour_blind_safe = false;
 };
 
-/// Room that a legend takes at the left, in design pixels.
+/// Width of a legend at the left of a picture, design pixels.
 inline constexpr int legend_width = 180;
 
-/// Paints the legend at the lower left. Text needs an installed font (Inter, Noto or DejaVu Sans); without
-/// one only the bar and tick marks are painted and the result is false.
+/// Paints a legend at the lower left. Text needs an installed font (Inter, Noto or DejaVu Sans); without one
+/// only the bar and tick marks are painted and the result is false.
 bool paint_legend(Image& image, const Legend& legend);
 
 }  // namespace hariko

@@ -35,7 +35,7 @@ std::vector<std::vector<int>> neighbours_of(const GridPattern& pattern) {
   return out;
 }
 
-/// The values of whole patches, undefined ones filled in from their neighbours.
+/// Map values of whole patches; undefined ones are filled in from their neighbours.
 std::vector<MapPoint> map_points(std::span<const float> values,
                                  const std::vector<std::vector<int>>& neighbours) {
   std::vector<MapPoint> out(values.size());
@@ -63,7 +63,7 @@ void TexturedBuffer::allocate(std::size_t size, const void* data, GLenum format,
   if (!buffer) buffer = Buffer::make();
   bytes = size;
   glBindBuffer(GL_TEXTURE_BUFFER, buffer.name());
-  // A buffer texture over nothing is an error; one texel always exists.
+  // A buffer texture over an empty buffer is an error, so one texel always exists.
   glBufferData(GL_TEXTURE_BUFFER, signed_size(std::max<std::size_t>(size, 16)), nullptr, usage);
   if (size > 0 && data) glBufferSubData(GL_TEXTURE_BUFFER, 0, signed_size(size), data);
   if (!texture) texture = Texture::make();
@@ -92,7 +92,7 @@ std::shared_ptr<const PatchIndices> IndexCache::get(const GridPattern& pattern, 
       for (const int corner : triangle) numbers.push_back(base + static_cast<Index>(corner));
   }
   auto indices = std::make_shared<PatchIndices>();
-  // Not through the element array target: that would change the vertex array that happens to be bound.
+  // Not through the element array target, which would change the currently bound vertex array.
   indices->buffer =
       filled_buffer(GL_COPY_WRITE_BUFFER, numbers.size() * sizeof(std::uint32_t), numbers.data());
   indices->count = static_cast<GLsizei>(numbers.size());
@@ -198,8 +198,8 @@ void MeshBuffers::upload_curves(const DisplayMesh& mesh, std::size_t& uploaded) 
           const float value = (*seam_values_)[curve.seam * stride + i + end];
           const float other = (*seam_values_)[curve.seam * stride + i + 1 - end];
           MapPoint& to = values[std::size_t(curve.kind)][2 * (curve.first_segment + i) + end];
-          // The end of a curve with a defined neighbour takes its value: corners have no curvature of their
-          // own.
+          // An undefined end of a segment takes the value of the other end: corners have no curvature of
+          // their own.
           if (std::isfinite(value) || std::isfinite(other)) to = {std::isfinite(value) ? value : other, 1};
         }
     }

@@ -17,25 +17,28 @@
 
 namespace hariko::gl {
 
-/// A buffer with a buffer texture over it, so that vertex shaders can read any element.
+/// Buffer with a buffer texture, so that vertex shaders can read any element.
 struct TexturedBuffer {
   Buffer buffer;
   Texture texture;
   std::size_t bytes = 0;
-  /// Allocates and fills; data may be null.
+  /// Allocates and fills the buffer; `data` may be null.
   void allocate(std::size_t size, const void* data, GLenum format, GLenum usage);
+  /// Binds the buffer texture to a texture unit.
   void bind_texture(int unit) const;
 };
 
-/// Triangle indices of patch blocks on one grid: shared by meshes of the same pattern.
+/// Triangle indices of patch blocks on one grid; shared by meshes of the same pattern.
 struct PatchIndices {
   Buffer buffer;
   GLsizei count = 0;
-  TexturedBuffer places;  ///< of the points of a patch, in intervals: two floats each
+  TexturedBuffer places;  ///< positions of a patch's grid points, in intervals: two floats each
 };
 
+/// Cache of index buffers by pattern and number of patches.
 class IndexCache {
  public:
+  /// Indices for this many patches on a grid; uploaded where they are not in use already.
   std::shared_ptr<const PatchIndices> get(const GridPattern& pattern, Index patch_count,
                                           std::size_t& uploaded);
 
@@ -43,13 +46,13 @@ class IndexCache {
   std::map<std::tuple<Domain, int, Index>, std::weak_ptr<const PatchIndices>> entries_;
 };
 
-/// The GPU copy of a display mesh. Follows refreshed versions by uploading the chunks that differ.
+/// GPU copy of a display mesh. Refreshed versions upload only the chunks that differ.
 class MeshBuffers {
  public:
   MeshBuffers(const DisplayMesh& mesh, IndexCache& indices, std::size_t& uploaded);
-  /// Brings the copy up to `mesh`, which must have the same adjacency and pattern.
+  /// Updates the copy to `mesh`, which must have the same adjacency and pattern.
   void update(const DisplayMesh& mesh, std::size_t& uploaded);
-  /// Colours of the patches with highlights in alpha; ignored when equal to the last ones.
+  /// Sets the colours of the patches, with highlights in alpha; uploads only when they changed.
   void set_patch_colors(std::vector<std::uint8_t> rgba, std::size_t& uploaded);
 
   void bind_vertex_array() const { glBindVertexArray(vertex_array_.name()); }
@@ -57,8 +60,9 @@ class MeshBuffers {
   const TexturedBuffer& grid_places() const { return indices_->places; }
   const TexturedBuffer& vertices() const { return vertices_; }
   const TexturedBuffer& patch_colors() const { return patch_colors_; }
-  /// Instanced vertex array over the segments of one kind of curves, and their number.
+  /// Instanced vertex array over the segments of one kind of curves.
   GLuint curve_array(CurveKind kind) const { return curve_arrays_[std::size_t(kind)].name(); }
+  /// Number of segments of one kind of curves.
   GLsizei curve_count(CurveKind kind) const { return curve_counts_[std::size_t(kind)]; }
   bool has_curve_values() const { return has_curve_values_; }
 
@@ -70,10 +74,10 @@ class MeshBuffers {
   VertexArray vertex_array_;
   TexturedBuffer vertices_, patch_colors_;
   Buffer values_;
-  std::vector<std::vector<int>> neighbours_;  // of each grid point, for undefined values
+  std::vector<std::vector<int>> neighbours_;  // neighbours of each grid point, to fill in undefined values
   std::shared_ptr<const PatchIndices> indices_;
-  std::vector<std::shared_ptr<const DisplayMesh::Chunk>>
-      chunks_;  // what was uploaded, kept so that addresses stay unique
+  /// Uploaded chunks, kept so that addresses stay unique.
+  std::vector<std::shared_ptr<const DisplayMesh::Chunk>> chunks_;
   std::vector<std::uint8_t> color_bytes_;
   std::array<VertexArray, curve_kind_count> curve_arrays_;
   std::array<Buffer, curve_kind_count> curve_buffers_, curve_values_;
@@ -82,7 +86,7 @@ class MeshBuffers {
   bool has_curve_values_ = false;
 };
 
-/// The GPU copy of a polyhedron: positions, and edges sorted by kind.
+/// GPU copy of a polyhedron: positions, and edges sorted by kind.
 class PolyhedronBuffers {
  public:
   PolyhedronBuffers(const DisplayPolyhedron& polyhedron, std::size_t& uploaded);
@@ -90,8 +94,8 @@ class PolyhedronBuffers {
   GLuint edge_array(EdgeKind kind) const { return edge_arrays_[std::size_t(kind)].name(); }
   GLsizei edge_count(EdgeKind kind) const { return edge_counts_[std::size_t(kind)]; }
   GLsizei point_count() const { return point_count_; }
-  /// Whether any edge, or any vertex, has a tension of its own: edge arrays then carry `tension_fraction`,
-  /// and `point_colors` the vertices' colours with alpha 0 for the default.
+  /// Whether any edge, or any vertex, has a tension other than the default: edge arrays then carry
+  /// `tension_fraction`, and `point_colors` the vertices' colours with alpha 0 for the default.
   bool has_edge_tensions() const { return has_edge_tensions_; }
   bool has_point_tensions() const { return has_point_tensions_; }
   const TexturedBuffer& point_colors() const { return point_colors_; }
@@ -108,7 +112,7 @@ class PolyhedronBuffers {
   GLsizei point_count_ = 0;
 };
 
-/// The GPU copy of marks; coordinates are those of the mesh.
+/// GPU copy of continuity marks; coordinates are those of the mesh.
 class MarkBuffers {
  public:
   MarkBuffers(const EdgeMarks& marks, std::size_t& uploaded);
@@ -121,7 +125,7 @@ class MarkBuffers {
   std::array<GLsizei, 3> counts_{};
 };
 
-/// The GPU copy of combs: numbers of points are twice the tooth, plus one for its tip.
+/// GPU copy of curvature combs: the foot of tooth k is point 2 k, its tip point 2 k + 1.
 class CombBuffers {
  public:
   CombBuffers(const CombLines& combs, std::size_t& uploaded);
@@ -138,7 +142,7 @@ class CombBuffers {
   GLsizei tooth_count_ = 0, envelope_count_ = 0;
 };
 
-/// Edges of triangles.
+/// GPU copy of the edges of triangles.
 class FacetLineBuffers {
  public:
   FacetLineBuffers(const FacetLines& lines, std::size_t& uploaded);
@@ -153,7 +157,7 @@ class FacetLineBuffers {
   GLsizei count_ = 0;
 };
 
-/// The cut of a mesh by a plane.
+/// GPU copy of the intersection of a mesh with a plane.
 class SectionBuffers {
  public:
   SectionBuffers(const DisplayMesh& mesh, const LocalPlane& plane, std::size_t& uploaded);
@@ -168,15 +172,15 @@ class SectionBuffers {
   GLsizei count_ = 0;
 };
 
-/// What value buffers hold: an undefined value has defined = 0 and the mean of its defined neighbours, so
-/// that shaders can draw the grey spot of an undefined corner at a fixed size on the screen instead of whole
-/// triangles.
+/// Element of a value buffer. An undefined value has defined = 0 and the mean of its defined neighbours as
+/// value, so that shaders can draw the grey spot of an undefined corner at a fixed size on the screen instead
+/// of whole triangles.
 struct MapPoint {
   float value = 0, defined = 0;
 };
 
-/// Sets up the bound vertex array for line instances: points from `segments`, values from `values` when not
-/// 0.
+/// Sets up the bound vertex array for line instances: points from `segments`, values from `values` unless it
+/// is 0.
 void set_up_line_instances(GLuint segments, GLuint values);
 
 }  // namespace hariko::gl

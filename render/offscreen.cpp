@@ -17,7 +17,8 @@ bool client_has(const char* extension) {
   return all && std::strstr(all, extension);
 }
 
-/// Displays to try, in order: no platform at all, then each device (software devices come last there).
+/// Candidate displays in order: the surfaceless platform, then each device (software devices come last
+/// there).
 std::vector<EGLDisplay> candidate_displays() {
   std::vector<EGLDisplay> out;
   if (client_has("EGL_MESA_platform_surfaceless"))
@@ -59,7 +60,7 @@ struct OffscreenContext::State {
     if (display == EGL_NO_DISPLAY) return;
     eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
     eglDestroyContext(display, context);
-    // The display is shared by all contexts of the process (initialisation is not counted), so it is not
+    // The display is shared by all contexts of the process without a reference count, so it is not
     // terminated.
   }
 };

@@ -10,11 +10,11 @@ namespace hariko {
 
 inline constexpr Code e_no_egl{"E_NO_EGL"};
 
-/// A GL 3.3 core context by EGL: on the surfaceless platform, else on a device. Current on the thread that
-/// made it while it lives; has no default framebuffer.
+/// GL 3.3 core context by EGL: on the surfaceless platform, else on a device. It is current on the thread
+/// that made it during its life, and has no default framebuffer.
 class OffscreenContext {
  public:
-  /// Errors: E_NO_EGL, with what was tried.
+  /// Creates a context. Errors: E_NO_EGL, listing what was tried.
   static Result<OffscreenContext> create();
   OffscreenContext(OffscreenContext&&) noexcept;
   OffscreenContext& operator=(OffscreenContext&&) noexcept;

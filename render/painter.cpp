@@ -11,7 +11,7 @@ namespace hariko::gl {
 namespace {
 
 constexpr int coordinate_unit = 0, color_unit = 1, table_unit = 2, place_unit = 3;
-// The ground is drawn this many view heights round the target.
+// Radius of the ground grid round the target, in view heights.
 constexpr double grid_reach = 6;
 
 Texture color_texture(ColorScale scale) {
@@ -47,7 +47,7 @@ glm::vec4 range_uniform(ColorScale scale, const ValueRange& range) {
   return {s.pivot, s.place, s.below, s.above};
 }
 
-/// The modes of surface.frag.glsl.
+/// Mode number of surface.frag.glsl.
 int surface_mode(SurfaceMap map, bool with_values) {
   switch (map) {
     case SurfaceMap::shaded:
@@ -180,13 +180,14 @@ void Painter::set_frame(const Program& program, const Frame& frame, const Matrix
   program.set("to_eye", to_float(Matrix4(frame.view * model)));
   program.set("projection", to_float(frame.projection));
   program.set("viewport", glm::vec2(frame.size.width, frame.size.height));
-  // What is not cut keeps a constant distance too: the line of the cut itself would flicker on rounding.
+  // Uncut parts keep a constant distance to the plane, too: otherwise the section line itself would flicker
+  // by rounding.
   program.set("section", cutting_ ? frame.section : glm::vec4(0, 0, 0, 1));
   program.set("perspective", !frame.camera.orthographic);
-  // Lines are cut here and clamped in depth beyond: they may leave the range that surfaces need.
+  // Near plane for lines, which are clamped in depth beyond the range that surfaces need.
   program.set("near_plane", std::min(frame.clip.near_plane, 0.01 * frame.camera.distance));
   const double share = frame.camera.orthographic ? bias_length : bias_length / frame.camera.distance;
-  // Never as far as the eye.
+  // Limited, so that the bias never reaches the eye.
   program.set("bias", bias_pixels * frame.pixel_scale * frame.pixel_bias +
                           (frame.camera.orthographic ? share : std::min(share, 0.5)));
 }
@@ -212,7 +213,7 @@ void Painter::grid(const Frame& frame, const GridSettings& grid, const Style& st
   const SidePlane plane = side.value_or(SidePlane{0, 1});
   Vector3 centre = Vector3::Zero();
   for (const int axis : {plane.across, plane.up}) centre[axis] = std::round(target[axis] / coarse) * coarse;
-  // In parallel projection only what it is drawn before and after says what it is behind.
+  // A backdrop's depth does not matter: it is ordered by drawing only.
   centre[plane.normal()] = side ? target[plane.normal()] : grid.height;
   Matrix4 model = Matrix4::Identity();
   model.col(0).head<3>() = Vector3::Unit(plane.across);
@@ -309,7 +310,7 @@ Result<Done> Painter::surface(const Frame& frame, const SceneObject& object, con
   glDepthFunc(GL_LESS);
   glFrontFace(linear.determinant() < 0 ? GL_CW : GL_CCW);
   mesh.bind_vertex_array();
-  glVertexAttrib2f(2, 0, 0);  // for meshes without values: undefined
+  glVertexAttrib2f(2, 0, 0);  // undefined, for meshes without values
   glDrawElements(GL_TRIANGLES, mesh.index_count(), GL_UNSIGNED_INT, nullptr);
   glFrontFace(GL_CCW);
   count(static_cast<std::size_t>(mesh.index_count() / 3));
@@ -323,7 +324,7 @@ void Painter::lines(const Frame& frame, const Matrix4& model, const Lines& lines
       look.amplitude ? programs_.comb_line : (look.dash > 0 ? programs_.dashed_line : programs_.line);
   const auto scale = static_cast<float>(frame.pixel_scale);
   const float core = 0.5F * style.width * scale, all = core + style.casing_width * scale;
-  // Half the width lies above the curve's own depth on a slanted surface: a bias of a few widths clears
+  // On a slanted surface half the width lies behind the curve's own depth: a bias of a few widths clears
   // slopes up to about 75 degrees.
   set_frame(program, frame, model, 2.0 + 2.0 * (0.5 * style.width + style.casing_width),
             look.depth * model.topLeftCorner<3, 1>().norm());
@@ -475,7 +476,7 @@ void Painter::bodies(const Frame& frame, const Matrix4& model, const BodyBuffers
 
 void Painter::overlay(const Frame& frame, std::span<const OverlayLine> overlay_lines) {
   if (overlay_lines.empty()) return;
-  // Relative to the target, so that world coordinates far from zero keep their digits.
+  // Relative to the target, so that world coordinates far from zero keep their precision.
   std::vector<std::array<float, 3>> ends;
   for (const OverlayLine& line : overlay_lines)
     for (const Vector3& end :

@@ -8,8 +8,8 @@ namespace hariko {
 
 namespace {
 
-/// Colour of a patch: hues far apart for neighbouring numbers (golden angle), a lighter and a darker one in
-/// turn within the patches of one source element.
+/// Colour of a patch: neighbouring numbers have distant hues (golden angle), patches of one source element
+/// alternate in lightness.
 std::array<std::uint8_t, 3> patch_color(std::uint64_t element, std::uint32_t side) {
   const double turn = 0.6180339887498949 * static_cast<double>(element % 100'000);
   const double hue = 6 * (turn - std::floor(turn));

@@ -1,6 +1,6 @@
 #pragma once
 
-// Colours of single patches: the map of patches, and what is selected or under the pointer.
+// Colours of single patches, by the patch map and for highlights.
 
 #include <cstdint>
 #include <vector>
@@ -9,8 +9,8 @@
 
 namespace hariko {
 
-/// Four bytes a patch of the object's mesh, which must be there: the colour in the map of patches, black in
-/// others; then 0, 128 under the pointer, 255 selected. O(patches).
+/// Four bytes for each patch of the object's mesh, which must exist: the colour in the patch map, black in
+/// other maps; then the highlight: 0, 128 hovered, 255 selected. O(patches).
 std::vector<std::uint8_t> patch_color_bytes(const SceneObject& object);
 
 }  // namespace hariko

@@ -12,11 +12,11 @@ namespace hariko {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double tie_pixels = 0.5;  // design pixels, as below
+constexpr double tie_pixels = 0.5;  // design pixels
 
 struct FaceHit {
   Index face = no_index;
-  double t = infinity;  ///< world length along the ray
+  double t = infinity;  ///< world distance along the ray
 };
 
 Vector3 world_position(const SceneObject& object, Index vertex) {
@@ -30,8 +30,8 @@ bool cut_away(const Section& section, const Vector3& world) {
   return section && section->cuts(world);
 }
 
-/// The front-most face of a polyhedron that the section leaves; faces are fans round their centres, as they
-/// are drawn.
+/// Foremost face of a polyhedron on the kept side of the section; faces are fans round their centres, as
+/// drawn.
 FaceHit hit_faces(const SceneObject& object, const Ray& ray, const Section& section) {
   const DisplayPolyhedron& polyhedron = *object.polyhedron;
   const LocalRay local = to_local(ray, object.transform, polyhedron.origin);
@@ -98,7 +98,7 @@ std::optional<SurfaceHit> hit_surface(const SceneObject& object, const Ray& ray,
   return out;
 }
 
-/// Distance along the ray at which the scene is opaque: what is drawn hides, surfaces before bare polyhedra.
+/// Distance along the ray to the nearest occluder: shown surfaces, and polyhedra without one.
 double opaque_at(const Scene& scene, const Ray& ray, bool use_surface) {
   double best = infinity;
   for (const SceneObject& object : scene.objects) {
@@ -111,7 +111,7 @@ double opaque_at(const Scene& scene, const Ray& ray, bool use_surface) {
   return best;
 }
 
-/// Polyhedron vertices as pixels and depths; NaN behind the eye.
+/// Pixels and depths of the polyhedron's vertices; NaN behind the eye.
 std::vector<Vector3> project_vertices(const SceneObject& object, const Projector& projector) {
   const std::size_t count = object.polyhedron->positions.size();
   std::vector<Vector3> out(count);
@@ -121,10 +121,10 @@ std::vector<Vector3> project_vertices(const SceneObject& object, const Projector
   return out;
 }
 
-/// An edge on the screen. Where an end lies behind the eye it is moved to just in front.
+/// Edge on the screen; an end behind the eye is moved to just in front of it.
 struct ScreenEdge {
   Vector3 a, b;              ///< pixels and depth
-  Vector3 world_a, world_b;  ///< the ends of that piece
+  Vector3 world_a, world_b;  ///< world ends of the visible part
 };
 std::optional<ScreenEdge> screen_edge(const SceneObject& object, const Projector& projector,
                                       const std::vector<Vector3>& pixels, Index edge) {
@@ -147,7 +147,7 @@ std::optional<ScreenEdge> screen_edge(const SceneObject& object, const Projector
   return out;
 }
 
-/// Everything that one pick needs, and the hits so far.
+/// State of one pick, with the hits so far.
 class Search {
  public:
   Search(const Scene& scene, const Projector& projector, const Vector2& pixel, const PickOptions& options)
@@ -162,7 +162,7 @@ class Search {
   void add_curves(std::size_t o, std::vector<PickHit>& hits) const;
   bool visible(const PickHit& hit) const {
     if (!options_.visible_only) return true;
-    // A straight line inside of the surface is not seen where the curve stands for the edge.
+    // A straight line inside the surface is hidden where a curve represents the edge.
     const bool surface_hides =
         hit.kind == Element::Kind::edge && scene_.objects[hit.object].curves_pickable();
     const auto at = projector_.project(hit.point);
@@ -172,7 +172,7 @@ class Search {
     const double slack = hiding_slack_pixels * scene_.pixel_scale * projector_.pixel_length_at(hit.point);
     return opaque_at(scene_, ray, options_.use_surface || surface_hides) >= reach - slack;
   }
-  /// Nearest to the cursor first, then nearest to the eye; hidden ones dropped.
+  /// Hits nearest to the cursor first, then nearest to the eye, without hidden ones.
   std::vector<PickHit> sorted(std::vector<PickHit> hits) const {
     const double tie = tie_pixels * scene_.pixel_scale;
     std::sort(hits.begin(), hits.end(), [tie](const PickHit& x, const PickHit& y) {
@@ -221,7 +221,7 @@ std::vector<PickHit> Search::edges() {
   return sorted(std::move(hits));
 }
 
-/// Adds a piece of an edge where the pixel is near it; null where it is not.
+/// Adds a hit where the pixel is near part of an edge; null where it is not.
 PickHit* Search::add_if_near(std::size_t o, Index e, const ScreenEdge& edge,
                              std::vector<PickHit>& hits) const {
   const Vector2 a = edge.a.head<2>(), along = edge.b.head<2>() - a;
@@ -229,7 +229,7 @@ PickHit* Search::add_if_near(std::size_t o, Index e, const ScreenEdge& edge,
   const double x = length2 > 0 ? std::clamp((pixel_ - a).dot(along) / length2, 0.0, 1.0) : 0.0;
   const double distance = (a + x * along - pixel_).norm();
   if (distance > options_.edge_radius * scene_.pixel_scale) return nullptr;
-  // Equal steps on the screen are not equal steps in space: weigh by depth.
+  // Weighs by depth: equal steps on the screen are not equal steps in space.
   const double da = edge.a.z(), db = edge.b.z();
   const double y = projector_.camera().orthographic ? x : x * da / (x * da + (1 - x) * db);
   const Vector3 point = edge.world_a + y * (edge.world_b - edge.world_a);
@@ -245,7 +245,7 @@ PickHit* Search::add_if_near(std::size_t o, Index e, const ScreenEdge& edge,
   return &hits.back();
 }
 
-/// The nearest place of each curve.
+/// Adds the nearest point of each curve.
 void Search::add_curves(std::size_t o, std::vector<PickHit>& hits) const {
   const SceneObject& object = scene_.objects[o];
   const EdgeCurves& curves = *object.edge_curves;

@@ -8,7 +8,7 @@ namespace hariko {
 
 namespace {
 
-// Above this many pixels the doubled picture would take hundreds of megabytes for little gain.
+// Number of pixels above which the doubled picture would take hundreds of megabytes for little gain.
 constexpr std::int64_t most_doubled_pixels = 20'000'000;
 
 }  // namespace

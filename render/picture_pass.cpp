@@ -16,9 +16,9 @@ void set_up_depth(PictureLayer layer, bool opaque) {
   }
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_LEQUAL);
-  // Through a translucent picture one sees lines and points behind it.
+  // Translucent pictures do not write depth, so that lines and points behind them show.
   glDepthMask(opaque ? GL_TRUE : GL_FALSE);
-  // Offset, so that a grid or a curve in its plane shows.
+  // Depth offset, so that a grid or a curve in the picture's plane shows.
   glEnable(GL_POLYGON_OFFSET_FILL);
   glPolygonOffset(1, 2);
 }

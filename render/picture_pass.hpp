@@ -1,6 +1,6 @@
 #pragma once
 
-// PicturePass: draws the reference pictures of a scene. Internal to render/.
+// PicturePass: drawing of a scene's reference pictures. Internal to render/.
 
 #include "render/buffer_cache.hpp"
 #include "render/gl_object.hpp"
@@ -10,33 +10,36 @@
 
 namespace hariko::gl {
 
-/// A texture that is filled from its smallest level on: it shows from the beginning, and sharper frame by
-/// frame.
+/// Texture that is filled from its smallest mipmap level on, so that it shows at once and becomes sharper
+/// from frame to frame.
 class PictureTexture {
  public:
   PictureTexture(const ReferenceImage& image, std::size_t& uploaded);
-  /// Uploads at most about `budget` bytes, which goes down by them. True when nothing is left.
+  /// Uploads about `budget` bytes at most and reduces it by them. True when everything is uploaded.
   bool fill(const ReferenceImage& image, std::size_t& budget, std::size_t& uploaded);
   GLuint name() const { return texture_.name(); }
 
  private:
   Texture texture_;
-  int first_ = 0;  ///< the level of the image that is the texture's largest
-  int next_ = -1;  ///< the level of the image that is filled now; below `first_`: all are
-  int row_ = 0;    ///< of that level
+  int first_ = 0;  ///< image level that is the texture's largest
+  int next_ = -1;  ///< image level being filled; below `first_` all are filled
+  int row_ = 0;    ///< next row of that level
 };
 
+/// Program and textures of reference pictures.
 class PicturePass {
  public:
-  /// Compiles its program where it has none yet. Errors: E_GL_SHADER.
+  /// Compiles the program unless that is done. Errors: E_GL_SHADER.
   Result<Done> prepare();
-  /// The pictures of one layer, the farthest first. Those that share an image share a texture.
+  /// Draws the pictures of one layer, farthest first. Pictures with the same image share a texture.
   void draw(const Frame& frame, const Scene& scene, PictureLayer layer, unsigned picture_bit,
             FrameStatistics& statistics);
-  /// Sets the bytes that one drawing may upload from here on.
+  /// Sets the number of bytes that the next drawing may upload.
   void begin(std::size_t budget) { budget_ = budget; }
+  /// Removes the marks of pictures from their textures.
   void release(unsigned picture_bits) { textures_.release(picture_bits); }
   void drop_unused() { textures_.drop_unused(); }
+  /// Frees the program, to be compiled again.
   void forget_program() { program_.reset(); }
 
  private:
@@ -46,10 +49,10 @@ class PicturePass {
   std::size_t budget_ = 0;
 };
 
-/// Lines round pictures that are chosen, pointed at, or not there.
+/// Frames round pictures that are selected, hovered or missing.
 std::vector<OverlayLine> picture_frames(const Scene& scene, const Camera& camera, const Style& style);
 
-/// Box of the pictures that lie among the surfaces and that the camera sees.
+/// Bounding box of the pictures among the surfaces that the camera sees.
 Box3 box_of_pictures(const Scene& scene, const Camera& camera);
 
 }  // namespace hariko::gl

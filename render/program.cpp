@@ -10,7 +10,7 @@ namespace hariko::gl {
 
 namespace {
 
-/// A shader stage that is deleted on every way out.
+/// Owner of a shader stage, which is deleted on every path.
 class Stage {
  public:
   explicit Stage(GLenum type) : name_(glCreateShader(type)) {}

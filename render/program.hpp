@@ -1,6 +1,6 @@
 #pragma once
 
-// Program: a linked pair of shaders with its uniforms by name. Internal to render/.
+// Program: a linked pair of shaders with uniforms by name. Internal to render/.
 
 #include <glm/glm.hpp>
 #include <map>
@@ -14,14 +14,16 @@
 
 namespace hariko::gl {
 
+/// GL program.
 class Program {
  public:
-  /// Compiles shaders/<name>.vert.glsl and <name>.frag.glsl with `defines` (whole lines) before them. Errors:
+  /// Compiles shaders/<name>.vert.glsl and <name>.frag.glsl, preceded by `defines` (whole lines). Errors:
   /// E_SHADER_SOURCE, E_GL_SHADER with the compiler's log.
   static Result<Program> load(const std::string& name, const std::string& defines = {});
 
+  /// Makes the program current.
   void use() const { glUseProgram(name_.name()); }
-  // Uniforms of the program in use. Names that the compiler dropped are ignored.
+  // Uniforms of the program in use. Names that the compiler removed are ignored.
   void set(std::string_view uniform, int value) const { glUniform1i(location(uniform), value); }
   void set(std::string_view uniform, bool value) const { glUniform1i(location(uniform), value ? 1 : 0); }
   void set(std::string_view uniform, float value) const { glUniform1f(location(uniform), value); }
@@ -43,12 +45,13 @@ class Program {
   std::map<std::string, GLint, std::less<>> locations_;
 };
 
-/// Double mathematics ends here: to the floats of the GPU.
+/// Conversion from double precision to the GPU's floats.
 glm::mat4 to_float(const Matrix4& m);
 glm::mat3 to_float(const Matrix3& m);
 inline glm::vec3 to_float(const Vector3& v) {
   return {v.x(), v.y(), v.z()};
 }
+/// Colour without alpha.
 inline glm::vec3 rgb(const Color& c) {
   return {c.r, c.g, c.b};
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-// Ray against triangles. Internal to render/.
+// Ray intersection with triangles and boxes. Internal to render/.
 
 #include <algorithm>
 #include <cmath>
@@ -10,13 +10,14 @@
 
 namespace hariko {
 
+/// Intersection of a ray with a triangle.
 struct TriangleHit {
-  double t = 0;         ///< along the ray, >= 0
+  double t = 0;         ///< ray parameter, >= 0
   double b = 0, c = 0;  ///< barycentric weights of the second and third corner
 };
 
-/// Both sides count, and so does a rim of 1e-9 of the triangle's size, so that no ray slips between
-/// neighbours. Nothing for degenerate triangles.
+/// Intersection with a triangle, from both sides. It is enlarged by 1e-9 of its size, so that no ray slips
+/// between neighbours. Nothing for degenerate triangles.
 inline std::optional<TriangleHit> hit_triangle(const Ray& ray, const Vector3& p, const Vector3& q,
                                                const Vector3& r) {
   const Vector3 e1 = q - p, e2 = r - p, s = ray.direction.cross(e2);
@@ -34,7 +35,7 @@ inline std::optional<TriangleHit> hit_triangle(const Ray& ray, const Vector3& p,
   return TriangleHit{t, b, c};
 }
 
-/// True when the ray meets the box nearer than `limit`.
+/// Whether the ray meets the box nearer than `limit`.
 inline bool meets(const Ray& ray, const Box3& box, double limit) {
   double low = 0, high = limit;
   for (int i = 0; i < 3; ++i) {
@@ -50,16 +51,16 @@ inline bool meets(const Ray& ray, const Box3& box, double limit) {
   return low <= high;
 }
 
-/// A world ray in coordinates relative to `origin` inside an object; t keeps its meaning divided by `scale`.
+/// Ray in coordinates relative to `origin` inside an object; ray parameters are divided by `scale`.
 struct LocalRay {
   Ray ray;
-  double scale = 1;  ///< world length of a unit of local length
+  double scale = 1;  ///< world length of a local unit
 };
+/// World ray in local coordinates of an object whose transform is a similarity.
 inline LocalRay to_local(const Ray& ray, const Matrix4& transform, const Vector3& origin) {
   const Matrix3 linear = transform.topLeftCorner<3, 3>();
   const double scale = std::cbrt(std::abs(linear.determinant()));
-  const Matrix3 back =
-      linear.transpose() / (scale * scale);  // a similarity: the inverse is the scaled transpose
+  const Matrix3 back = linear.transpose() / (scale * scale);  // inverse of a similarity: its scaled transpose
   const Vector3 translation = transform.topRightCorner<3, 1>();
   return {{back * (ray.origin - translation) - origin, (back * ray.direction).normalized()}, scale};
 }

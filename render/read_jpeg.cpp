@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <string>
 
-// After stdio, which it needs.
+// Included after cstdio, on which jpeglib.h depends.
 #include <jpeglib.h>
 
 namespace hariko {
@@ -15,7 +15,8 @@ namespace {
 
 constexpr std::size_t most_marker_bytes = 0xffff;
 
-/// libjpeg leaves a function that fails by a jump: methods that set one have no objects of their own.
+/// Decoder with libjpeg's error handling by longjmp: methods that call setjmp have no objects with
+/// destructors.
 class JpegDecoder {
  public:
   JpegDecoder() {
@@ -40,7 +41,7 @@ class JpegDecoder {
     info_.out_color_space = printed() ? JCS_CMYK : JCS_EXT_RGBA;
     return true;
   }
-  /// Four bytes a pixel, row after row.
+  /// Reads the pixels, four bytes each, row by row.
   bool read_rows(std::uint8_t* pixels) {
     if (setjmp(jump_) != 0) return false;
     jpeg_start_decompress(&info_);
@@ -54,11 +55,12 @@ class JpegDecoder {
 
   std::uint32_t columns() const { return info_.image_width; }
   std::uint32_t rows() const { return info_.image_height; }
-  /// In the four colours of print.
+  /// Whether the file is in CMYK, the colours of print.
   bool printed() const { return info_.jpeg_color_space == JCS_CMYK || info_.jpeg_color_space == JCS_YCCK; }
-  /// Photoshop writes how much paper shows instead of how much ink there is, and marks such files.
+  /// Whether CMYK values are inverted: Photoshop writes the bare share of paper instead of ink, and marks
+  /// such files.
   bool inverted() const { return info_.saw_Adobe_marker != 0; }
-  /// Bytes of the first application marker 1: what a camera noted.
+  /// Bytes of the first APP1 marker, which has the camera's notes.
   std::string_view notes() const {
     for (jpeg_saved_marker_ptr marker = info_.marker_list; marker; marker = marker->next)
       if (marker->marker == JPEG_APP0 + 1)
@@ -82,8 +84,7 @@ class JpegDecoder {
   bool created_ = false;
 };
 
-/// Orientation of EXIF, 1 .. 8: where the first row and the first column of the file lie; 1 where nothing is
-/// noted.
+/// EXIF orientation, 1 .. 8: position of the file's first row and column; 1 where none is noted.
 int exif_orientation(std::string_view notes) {
   constexpr std::string_view mark("Exif\0\0", 6);
   if (!notes.starts_with(mark)) return 1;
@@ -161,7 +162,7 @@ Result<Image> read_jpeg(std::string_view file, std::uint64_t most_pixels) {
   if (!decoder.read_header(file)) return unreadable(decoder);
   if (std::uint64_t(decoder.columns()) * decoder.rows() > most_pixels)
     return make_error(e_image_read, "The picture has too many pixels.", "Make it smaller.");
-  const int orientation = exif_orientation(decoder.notes());  // gone once the rows are read
+  const int orientation = exif_orientation(decoder.notes());  // discarded when the rows are read
   Image image(int(decoder.columns()), int(decoder.rows()));
   if (!decoder.read_rows(image.rgba.data())) return unreadable(decoder);
   if (decoder.printed()) from_print(image, decoder.inverted());

@@ -22,7 +22,7 @@ Message too_many_pixels() {
                     "Make it smaller with a program for pictures.");
 }
 
-/// Colours times alpha: filtering between pixels then brings no colour of what cannot be seen.
+/// Multiplies colours by alpha, so that filtering does not mix in colours of transparent pixels.
 void premultiply(Image& image) {
   for (std::size_t i = 0; i < image.rgba.size(); i += 4) {
     const unsigned alpha = image.rgba[i + 3];
@@ -32,7 +32,7 @@ void premultiply(Image& image) {
   }
 }
 
-/// Means of 2 x 2 pixels; a side of one pixel stays.
+/// Image of half the size, by means of 2 x 2 pixels; a side of one pixel stays.
 Image halved(const Image& image) {
   Image out(std::max(1, image.width / 2), std::max(1, image.height / 2));
   const int right = image.width > 1 ? 1 : 0, below = image.height > 1 ? 1 : 0;

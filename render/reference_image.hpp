@@ -1,6 +1,6 @@
 #pragma once
 
-// ReferenceImage: the pixels of a reference picture with those of its smaller versions, ready for the GPU.
+// ReferenceImage: pixels and mipmap levels of a reference picture, prepared for the GPU.
 
 #include <string_view>
 
@@ -12,28 +12,31 @@ namespace hariko {
 
 inline constexpr Code e_picture_kind{"E_PICTURE_KIND"};
 
-/// Endings of the files that are read: ".png", ".jpg", ".jpeg".
+/// File endings that can be read: ".png", ".jpg", ".jpeg".
 std::span<const std::string_view> reference_endings();
-/// Whether the name ends like one of them.
+/// Whether a name has one of these endings.
 bool is_reference_file(const std::filesystem::path& path);
 
-/// Upright size of a PNG or JPEG file, from its beginning alone: a photograph is turned as its camera noted
+/// Upright size of a PNG or JPEG file, from its header alone; photographs are turned as the camera noted
 /// (EXIF). Errors: E_PICTURE_KIND where it is neither, E_IMAGE_READ, also above 100 million pixels.
 Result<PixelSize> reference_size(std::string_view file);
 
+/// Reference picture with mipmap levels.
 struct ReferenceImage {
-  PixelSize size;  ///< of the file, upright
-  /// Colours are multiplied by alpha. Each has half the sides of the one before, rounded down, the last one a
-  /// pixel. The first is the picture itself, or as much smaller as `most_kept_pixels` asks for.
+  PixelSize size;  ///< upright size of the file
+  /// Mipmap levels, with premultiplied alpha. Each has half the sides of the one before, rounded down; the
+  /// last is one pixel. The first is the picture itself, reduced as far as `most_kept_pixels` and
+  /// `longest_side` require.
   std::vector<Image> levels;
 
   static constexpr std::int64_t most_kept_pixels = 32'000'000;
   static constexpr int longest_side = 8192;
 
+  /// Memory of all levels.
   std::size_t bytes() const;
 };
 
-/// Decodes a whole file. Errors: those of `reference_size`; E_CANCELLED is none: what comes then is void.
+/// Decodes a whole file. Errors: those of `reference_size`. After cancellation the result is of no use.
 Result<ReferenceImage> decode_reference(std::string_view file, const CancelToken& cancel = {});
 
 }  // namespace hariko

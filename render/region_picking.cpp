@@ -16,7 +16,7 @@ struct Rectangle {
   bool holds(const Vector2& p) const {
     return (p.array() >= low.array()).all() && (p.array() <= high.array()).all();
   }
-  /// Whether any part of a segment lies inside (Liang and Barsky).
+  /// Whether any part of a segment lies inside (Liang and Barsky 1984).
   bool touches(const Vector2& a, const Vector2& b) const {
     double first = 0, last = 1;
     const Vector2 d = b - a;
@@ -33,7 +33,7 @@ struct Rectangle {
   }
 };
 
-/// Takes what lies wholly inside only.
+/// Region of a lasso, which only takes what lies wholly inside.
 struct Lasso {
   std::span<const Vector2> polygon;
   bool holds(const Vector2& p) const { return inside_polygon(polygon, p); }
@@ -45,10 +45,10 @@ Vector3 world_of(const SceneObject& object, Index vertex) {
   return object.transform.topLeftCorner<3, 3>() * p + object.transform.topRightCorner<3, 1>();
 }
 
-using Pixels = std::vector<std::optional<Vector2>>;  // nothing behind the eye
+using Pixels = std::vector<std::optional<Vector2>>;  // empty for points behind the eye
 
-/// Points in their order, and whether a region takes what they join: all of them inside, or, `crossing`, a
-/// line between neighbours touched.
+/// Whether a region takes a polyline: all points inside or, with `crossing`, a line between neighbours
+/// touched.
 template <class Region>
 bool takes(const Region& region, bool crossing, std::span<const std::optional<Vector2>> points, bool closed) {
   const auto holds = [&](const std::optional<Vector2>& p) { return p && region.holds(*p); };
@@ -60,7 +60,7 @@ bool takes(const Region& region, bool crossing, std::span<const std::optional<Ve
   return false;
 }
 
-/// The places of a curve on the screen.
+/// Pixels of the points of a curve.
 Pixels pixels_of(const SceneObject& object, const Projector& projector,
                  std::span<const CurveSegment> segments) {
   Pixels out;
@@ -73,7 +73,7 @@ Pixels pixels_of(const SceneObject& object, const Projector& projector,
   return out;
 }
 
-/// Patches that follow each other and come from one face: the face, or its image in a live mirror.
+/// Consecutive patches of one face: the face itself, or its image in a live mirror.
 struct FacePatches {
   Index face = no_index, first = 0, end = 0;
 };
@@ -97,8 +97,7 @@ std::vector<FacePatches> faces_on_surface(const SceneObject& object) {
   return out;
 }
 
-/// Whether a region takes the patches of a face: all of their points inside, or, `crossing`, a line of their
-/// grid touched.
+/// Whether a region takes the patches of a face: all points inside or, with `crossing`, a grid line touched.
 template <class Region>
 bool takes(const Region& region, bool crossing, const SceneObject& object, const Projector& projector,
            const FacePatches& patches) {
@@ -208,7 +207,7 @@ void Occlusion::draw(const Vector3& a, const Vector3& b, const Vector3& c) {
   const double area = u.x() * v.y() - u.y() * v.x();
   if (std::abs(area) < 1e-9) return;
   const double na = nearness(pa->z()), nb = nearness(pb->z()), nc = nearness(pc->z());
-  // How far a point is beyond the section is linear on the screen when it is divided by the depth.
+  // Distance beyond the section plane; divided by the depth it is linear on the screen.
   const auto beyond = [&](const Vector3& world, double depth) {
     if (!section_) return -1.0;
     const double distance = section_->normal.dot(world) - section_->offset;

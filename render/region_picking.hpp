@@ -1,6 +1,6 @@
 #pragma once
 
-// Picking by regions of the screen, boxes and lassos, and what the objects themselves hide.
+// Picking by screen regions (box and lasso), and occlusion by the objects themselves.
 
 #include <span>
 #include <vector>
@@ -10,32 +10,33 @@
 
 namespace hariko {
 
-/// Kinds of elements that are looked for.
+/// Kinds of elements to pick.
 struct ElementKinds {
   bool vertices = true, edges = true, faces = true;
 };
 
-/// A rectangle in pixels, corners in any order.
+/// Rectangle in pixels, corners in any order.
 struct PixelBox {
   Vector2 first, second;
 };
-/// Elements of one object in a rectangle: wholly inside, or also those that it touches (crossing). Edges and
-/// faces count as they are shown: by the curves and patches of the surface, by the lines of the polyhedron,
-/// or by either where both show. Points behind the eye are outside. O(elements + vertices of the mesh).
+/// Elements of one object in a rectangle: wholly inside, or with `crossing` also those that it touches. Edges
+/// and faces count as shown: by the curves and patches of the surface, by the lines of the polyhedron, or by
+/// either where both show. Points behind the eye are outside. O(elements + vertices of the mesh).
 Highlights pick_box(const SceneObject& object, const Projector& projector, const PixelBox& box, bool crossing,
                     const ElementKinds& kinds = {});
 
-/// The same for a closed polygon of pixels (even-odd rule), wholly inside. O(points * corners of the
+/// Elements of one object wholly inside a closed polygon of pixels (even-odd rule). O(points * corners of the
 /// polygon).
 Highlights pick_lasso(const SceneObject& object, const Projector& projector, std::span<const Vector2> polygon,
                       const ElementKinds& kinds = {});
 
-/// A depth picture of the faces of all polyhedra of a scene: which of many elements can be seen. Faces that
-/// reach behind the eye hide nothing, nor does what the section cuts away, which cannot be seen either.
-/// O(faces * pixels).
+/// Depth buffer of the faces of all polyhedra of a scene, to test many points for visibility. Faces that
+/// reach behind the eye hide nothing; neither do parts that the section cuts away, which are not visible
+/// either. O(faces * pixels).
 class Occlusion {
  public:
   Occlusion(const Scene& scene, const Projector& projector);
+  /// Whether a world point is visible: not cut away, and not behind a face by more than a few pixels' length.
   bool visible(const Vector3& world) const;
 
  private:
@@ -44,16 +45,17 @@ class Occlusion {
 
   Projector projector_;
   std::optional<SectionPlane> section_;
-  std::vector<float>
-      nearest_;  ///< grows towards the eye and is linear on the screen; 0 or less where nothing is
+  /// Nearness of the foremost face: grows towards the eye and is linear on the screen; -infinity where there
+  /// is none.
+  std::vector<float> nearest_;
 };
 
-/// Elements of a scene that can be seen: on surfaces by what the surfaces hide, else by what the polyhedra
-/// hide.
+/// Visibility of a scene's elements: elements on surfaces are tested against the surfaces, others against the
+/// polyhedra.
 class RegionSight {
  public:
   RegionSight(const Scene& scene, const Projector& projector);
-  /// Without the elements that are hidden: edges and faces stay when some point of them can be seen.
+  /// Visible ones of the elements: edges and faces stay where one of several sampled points is visible.
   Highlights visible(const Highlights& elements, const SceneObject& object) const;
 
  private:

@@ -24,9 +24,9 @@ namespace {
 constexpr int least_gl_version = 33;
 constexpr int vertex_stride = sizeof(DisplayVertex) / sizeof(float);
 constexpr double comb_pixels = 60,
-                 longest_comb_pixels = 140;  // of the typical and the greatest tooth, design pixels
+                 longest_comb_pixels = 140;  // typical and greatest length of teeth, design pixels
 
-/// World length of a unit of the object.
+/// World length of an object's unit.
 double scale_of_transform(const SceneObject& object) {
   return std::cbrt(std::abs(object.transform.topLeftCorner<3, 3>().determinant()));
 }
@@ -35,7 +35,7 @@ double scale_of_transform(const SceneObject& object) {
 
 struct Renderer::State {
   struct MeshEntry {
-    std::shared_ptr<const DisplayMesh::Curves> curves;  // the key; kept so that its address stays unique
+    std::shared_ptr<const DisplayMesh::Curves> curves;  // the key; held so that its address stays unique
     std::unique_ptr<gl::MeshBuffers> buffers;
     unsigned used_by = 0;  // one bit for each picture
   };
@@ -66,14 +66,14 @@ struct Renderer::State {
     gl::FrameTarget target, kept, mask;
     Background background = Background::dark;
   };
-  /// Says that the picture in `bit` is drawn anew or goes: what it used and no other does is dropped at
-  /// `drop_unused`.
+  /// Releases the cached copies of pictures that are drawn anew or freed; copies without a user are dropped
+  /// by `drop_unused`.
   void release(unsigned pictures);
   void drop_unused();
 
-  std::unique_ptr<gl::Painter> painter;  ///< null before the first picture
+  std::unique_ptr<gl::Painter> painter;  ///< null before the first picture is drawn
   std::array<Picture, most_pictures> pictures;
-  unsigned bit = 1;  ///< of the picture that is drawn
+  unsigned bit = 1;  ///< bit of the picture being drawn
   gl::IndexCache indices;
   std::vector<MeshEntry> meshes;
   gl::BufferCache<DisplayPolyhedron, gl::PolyhedronBuffers> polyhedra;
@@ -87,8 +87,7 @@ struct Renderer::State {
   std::uint64_t stamp = shader_stamp();
 };
 
-/// The entry of the mesh's family: refreshed versions share their curves, so they follow each other in one
-/// buffer.
+/// GPU copy for the mesh and its refreshed versions, which share their curves and reuse one buffer.
 gl::MeshBuffers& Renderer::State::mesh_buffers(const DisplayMesh& mesh) {
   for (MeshEntry& entry : meshes)
     if (entry.curves == mesh.curves()) {
@@ -165,8 +164,8 @@ void Renderer::State::draw_marks(const gl::Frame& frame, const SceneObject& obje
   const gl::MeshBuffers& mesh = mesh_buffers(*object.mesh);
   const gl::MarkBuffers& buffers = marks.get(object.marks, bit, statistics.uploaded_bytes);
   const Matrix4 model = gl::at_origin(object.transform, object.mesh->origin());
-  // Dashes keep their place on the curve while the view turns and zooms: their length in the object changes
-  // by powers of two.
+  // The dash length in the object changes by powers of two, so that dashes keep their place on the curve
+  // while the view turns and zooms.
   const double pixel = frame.camera.pixel_length(frame.size) * frame.pixel_scale / scale_of_transform(object);
   for (std::size_t k = style.marks.size(); k-- > 0;) {
     gl::LineLook look;
@@ -185,7 +184,7 @@ void Renderer::State::draw_combs(const gl::Frame& frame, const SceneObject& obje
   const gl::CombBuffers& buffers = combs.get(object.combs, bit, statistics.uploaded_bytes);
   const Matrix4 model = gl::at_origin(object.transform, object.combs->origin);
   gl::LineLook look;
-  // Teeth have the same length on the screen at any zoom.
+  // Teeth keep their length on the screen at any zoom.
   const double pixel = frame.camera.pixel_length(frame.size) * frame.pixel_scale / scale_of_transform(object);
   look.amplitude =
       object.comb_scale * pixel *
@@ -210,7 +209,7 @@ void Renderer::State::draw_facet_edges(const gl::Frame& frame, const SceneObject
 
 void Renderer::State::draw_section(const gl::Frame& frame, const SceneObject& object,
                                    const SectionPlane& plane, const gl::Style& style) {
-  // normal . (L x + t) = offset for x relative to the mesh's origin.
+  // Section plane relative to the mesh's origin: normal . (L x + t) = offset.
   const Matrix4 model = gl::at_origin(object.transform, object.mesh->origin());
   const Vector3 normal = model.topLeftCorner<3, 3>().transpose() * plane.normal;
   const double length = normal.norm(),
@@ -261,7 +260,7 @@ void Renderer::State::draw_polyhedron(const gl::Frame& frame, const SceneObject&
   }
 }
 
-/// Over the surface that the bodies are inside of: a map's colours are touched at their outlines only.
+/// Draws bodies over the surface that encloses them; over a map's colours only their outlines are tinted.
 void Renderer::State::draw_bodies(const gl::Frame& frame, const SceneObject& object, const gl::Style& style) {
   constexpr float faint = 0.45F;
   const gl::BodyBuffers& buffers = bodies.get(object.polyhedron, bit, statistics.uploaded_bytes);
@@ -304,7 +303,7 @@ void Renderer::State::draw_overlays(const gl::Frame& frame, const Scene& scene, 
     if (!any) continue;
     const Matrix4 model = gl::at_origin(object.transform, object.polyhedron->origin);
     painter->cut(frame, true);
-    // Faces on the surface are tinted with it.
+    // Faces on the surface are tinted by the surface's own colours instead.
     if (!object.show_bodies && !object.elements_on_surface()) {
       painter->faces(frame, model, *object.polyhedron, object.selected.faces, style.selected_fill);
       painter->faces(frame, model, *object.polyhedron, object.hovered.faces, style.hovered_fill);
@@ -461,7 +460,8 @@ Image Renderer::read(int picture) const {
     std::copy_n(upward.begin() + static_cast<std::ptrdiff_t>(std::size_t(size.height - 1 - y) * row), row,
                 image.pixel(0, y));
   if (state_->pictures[std::size_t(picture)].background != Background::transparent) return image;
-  for (std::size_t i = 0; i < image.rgba.size(); i += 4) {  // blended over nothing, colours carry their alpha
+  // Blended over transparent black, colours are multiplied by their alpha
+  for (std::size_t i = 0; i < image.rgba.size(); i += 4) {
     const unsigned alpha = image.rgba[i + 3];
     for (std::size_t c = 0; c < 3 && alpha > 0; ++c)
       image.rgba[i + c] =

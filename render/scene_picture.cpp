@@ -20,7 +20,7 @@ std::optional<double> ScenePicture::hit(const Ray& ray) const {
   const Vector3 right = transform.col(0).head<3>(), up = transform.col(1).head<3>();
   const Vector3 normal = right.cross(up);
   const double towards = normal.dot(ray.direction);
-  if (std::abs(towards) < 1e-9 * normal.norm()) return std::nullopt;  // seen edge on
+  if (std::abs(towards) < 1e-9 * normal.norm()) return std::nullopt;  // seen edge-on
   const double t = normal.dot(middle() - ray.origin) / towards;
   const Vector3 from_middle = ray.at(t) - middle();
   const double x = from_middle.dot(right) / right.squaredNorm(), y = from_middle.dot(up) / up.squaredNorm();

@@ -1,6 +1,6 @@
 #pragma once
 
-// Shader sources: embedded into the program, or read from a folder while developing.
+// Shader sources: embedded in the program, or read from a folder during development.
 
 #include <span>
 #include <string>
@@ -12,18 +12,19 @@ namespace hariko {
 
 inline constexpr Code e_shader_source{"E_SHADER_SOURCE"};
 
+/// Shader file embedded in the program.
 struct EmbeddedShader {
   std::string_view name, source;
 };
 
-/// All of shaders/*.glsl as they were when the program was built.
+/// All files shaders/*.glsl as of the program's build.
 std::span<const EmbeddedShader> embedded_shaders();
 
-/// The source of shaders/<name>. When the environment variable HARIKO_SHADERS names a folder, the file there
-/// is read instead. Errors: E_SHADER_SOURCE when there is none.
+/// Source of shaders/<name>. Where the environment variable HARIKO_SHADERS names a folder, the file there is
+/// read instead. Errors: E_SHADER_SOURCE where there is none.
 Result<std::string> shader_source(std::string_view name);
 
-/// A number that changes when a file in HARIKO_SHADERS is written; 0 when embedded shaders are used.
+/// Stamp that changes when a file in HARIKO_SHADERS is written; 0 for embedded shaders.
 std::uint64_t shader_stamp();
 
 }  // namespace hariko

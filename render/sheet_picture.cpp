@@ -11,7 +11,7 @@ namespace hariko {
 namespace {
 
 constexpr double most_pixels = 40e6;
-constexpr double capital_height = 0.727;   ///< of Inter and its like, for a size of 1
+constexpr double capital_height = 0.727;   ///< height of capitals in Inter and similar fonts, at size 1
 constexpr double dash = 1.6, pause = 1.1;  // mm
 
 struct Pen {
@@ -37,7 +37,7 @@ Pen pen_of(SheetLayer layer) {
   return {color_from_hex("#000000"), 0.2, false};
 }
 
-/// A line of `width` pixels with round ends; a pixel is painted as much as it is covered, about.
+/// Draws a line of `width` pixels with round ends, with approximate coverage of the pixels.
 void stroke(Image& image, const Vector2& from, const Vector2& to, double width, const Color& color) {
   const Vector2 along = to - from;
   const double length = along.norm(), reach = width / 2 + 1;
@@ -56,7 +56,7 @@ void stroke(Image& image, const Vector2& from, const Vector2& to, double width, 
       pixel[minor] = k + 0.5;
       const double t = length > 0 ? std::clamp((pixel - from).dot(along) / (length * length), 0.0, 1.0) : 0;
       const double distance = (pixel - from - t * along).norm();
-      // Thin lines are pale, not narrow.
+      // Lines thinner than a pixel become paler instead of narrower.
       const double coverage =
           std::min(1.0, width) * std::clamp(std::max(width, 1.0) / 2 + 0.5 - distance, 0.0, 1.0);
       steep ? image.blend(k, i, color, coverage) : image.blend(i, k, color, coverage);

@@ -12,12 +12,12 @@ bool has_silhouette(const SceneObject& object) {
   return (object.outlined || object.outlined_as_hovered) && object.draws_surface();
 }
 
-/// Pixels of the frame, from its lower left corner.
+/// Rectangle of frame pixels, from the frame's lower left corner.
 struct PixelArea {
   int x = 0, y = 0, width = 0, height = 0;
 };
 
-/// The pixels that the outlined objects and their lines may cover; all of them where a box reaches behind the
+/// Pixels that the outlined objects and their lines may cover; the whole frame where a box reaches behind the
 /// eye.
 PixelArea area_of(const Frame& frame, const Scene& scene, double margin) {
   const Projector projector(frame.camera, frame.size);
@@ -96,7 +96,7 @@ Result<Done> draw_silhouettes(Painter& painter, const Frame& frame, const Scene&
   std::size_t number = 0;
   for (const SceneObject& object : scene.objects) {
     if (!has_silhouette(object)) continue;
-    // Red tells neighbours apart, green what the pointer is over.
+    // Red distinguishes neighbouring objects, green marks the hovered ones.
     constexpr std::size_t most = 254;
     const float name = static_cast<float>(1 + number++ % most) / 255;
     painter.silhouette(frame, at_origin(object.transform, object.mesh->origin()), buffers_of(*object.mesh),

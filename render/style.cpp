@@ -14,7 +14,7 @@ Color with_alpha(Color color, float alpha) {
 Style style_of(Background background) {
   const bool light = background == Background::light;
   const Color accent = color_from_hex("#ffa51f"), secondary = color_from_hex("#4aa3df");
-  // Far from the selection's orange in hue and in lightness, for every kind of colour vision.
+  // Differs from the selection's orange in hue and in lightness, for every kind of colour vision.
   const Color fold = color_from_hex("#c2185b");
   const Color ink = color_from_hex("#17181a");
   Style s;
@@ -28,7 +28,7 @@ Style style_of(Background background) {
   s.inside = color_from_hex("#5f7f96");
   s.undefined = undefined_color;
   s.wire = with_alpha(ink, 0.38F);
-  // A pale line with a thin dark casing reads on the clay and on the background.
+  // Pale line with a thin dark casing, readable on the surface and on the background.
   s.polyhedron = {with_alpha(color_from_hex(light ? "#3a3f47" : "#e6e6e6"), 0.60F), 1.2F,
                   with_alpha(light ? Color{1, 1, 1, 1} : ink, 0.28F), 0.9F};
   s.network = {with_alpha(color_from_hex("#22252a"), 0.78F), 1.6F};

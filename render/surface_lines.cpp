@@ -17,8 +17,8 @@ Vector3 wide(const Point& p) {
   return {double(p[0]), double(p[1]), double(p[2])};
 }
 
-/// Where the plane cuts an edge. The ends come in the same order from both triangles of the edge, so both get
-/// the same bits.
+/// Intersection of the plane with an edge. Its ends are ordered, so that both triangles of the edge get the
+/// same bits.
 Point cut(const Point& a, double da, const Point& b, double db) {
   if (std::pair(a, da) > std::pair(b, db)) return cut(b, db, a, da);
   const double x = da / (da - db);

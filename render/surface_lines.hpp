@@ -1,7 +1,6 @@
 #pragma once
 
-// What is drawn along the curves of a surface: marks of continuity, curvature combs, and the cut of a
-// section.
+// Lines on a surface: continuity marks, curvature combs and section curves.
 
 #include <array>
 #include <cstdint>
@@ -14,50 +13,54 @@
 
 namespace hariko {
 
-/// Curves over source edges, sorted by their continuity.
+/// Curves over source edges, sorted by continuity.
 struct EdgeMarks {
   struct Class {
-    std::vector<CurveSegment> segments;  ///< vertices of the mesh that it was made for
-    /// Length along the curve at both ends of each segment, for dashes.
+    std::vector<CurveSegment> segments;  ///< vertices of the source mesh
+    /// Arc length along the curve at both ends of each segment, for dashes.
     std::vector<std::array<float, 2>> lengths;
     std::size_t curves = 0;
   };
   std::array<Class, 3> classes;  ///< G0, G1, G2
 };
 
-/// `classes`: one for each seam of the surface that the mesh was built from. O(curves * density).
+/// Continuity marks. `classes`: one for each seam of the surface that the mesh was built from. O(curves *
+/// density).
 std::shared_ptr<const EdgeMarks> edge_marks(const DisplayMesh& mesh, std::span<const Continuity> classes);
 
-/// Combs ready for the GPU.
+/// Curvature combs prepared for the GPU.
 struct CombLines {
   Vector3 origin = Vector3::Zero();
-  std::vector<std::array<float, 6>> teeth;  ///< foot relative to the origin, and tooth
+  std::vector<std::array<float, 6>> teeth;  ///< foot relative to the origin, and vector of the tooth
   int density = 0;
   double typical = 0;  ///< see `typical_curvature`; 0: nothing to draw
   double greatest = 0;
 };
+/// Combs relative to an origin. O(teeth).
 std::shared_ptr<const CombLines> comb_lines(const CurvatureCombs& combs, const Vector3& origin);
 
-/// Edges of a triangle mesh, to be drawn over the surface that it stands for.
+/// Edges of a triangle mesh, drawn over the surface that it approximates.
 struct FacetLines {
   Vector3 origin = Vector3::Zero();
   std::vector<std::array<float, 3>> points;  ///< relative to the origin
   std::vector<std::array<Index, 2>> edges;
-  double depth = 0;  ///< how far behind the surface an edge may lie, in the lengths of the points
+  double depth = 0;  ///< largest distance of an edge behind the surface, in the lengths of the points
 };
-/// `depth`: the largest distance between the triangles and what they are drawn over.
+/// Edges of triangles, each once. `depth`: largest distance between the triangles and the surface under them.
+/// O(triangles log triangles).
 std::shared_ptr<const FacetLines> facet_lines(const Vector3& origin, std::span<const Vector3> positions,
                                               std::span<const std::array<Index, 3>> triangles, double depth);
 
-/// A plane in coordinates relative to a mesh's origin: normal . x = offset.
+/// Plane relative to a mesh's origin: normal . x = offset.
 struct LocalPlane {
   Vector3 normal;
   double offset = 0;
   friend bool operator==(const LocalPlane&, const LocalPlane&) = default;
 };
 
-/// Where a plane cuts the triangles of a mesh: one piece for each triangle that it crosses, relative to the
-/// mesh's origin. Neighbouring pieces share their ends exactly. O(vertices of chunks that the plane meets).
+/// Intersection of a plane with the triangles of a mesh: one segment for each triangle that it crosses,
+/// relative to the mesh's origin. Neighbouring segments share their ends exactly. O(vertices of chunks that
+/// the plane meets).
 std::vector<std::array<std::array<float, 3>, 2>> section_curve(const DisplayMesh& mesh,
                                                                const LocalPlane& plane);
 

@@ -12,7 +12,7 @@ namespace {
 constexpr float nothing = -std::numeric_limits<float>::infinity();
 constexpr std::size_t many_triangles = 50'000;
 
-/// The triangles of a pattern, or two (one) between its corners.
+/// Triangles of a patch to be drawn: those of the pattern, or for large meshes two (one) between its corners.
 std::vector<std::array<std::size_t, 3>> drawn_triangles(const DisplayMesh& mesh) {
   std::vector<std::array<std::size_t, 3>> out;
   if (mesh.triangle_count() <= many_triangles) {
@@ -82,7 +82,7 @@ void SurfaceOcclusion::draw(const Vector3& a, const Vector3& b, const Vector3& c
   const double area = u.x() * v.y() - u.y() * v.x();
   if (std::abs(area) < 1e-12) return;
   const double na = nearness(a.z()), nb = nearness(b.z()), nc = nearness(c.z());
-  // Cells whose centres may lie in the triangle.
+  // Range of cells whose centres may lie in the triangle.
   const auto range = [](double low, double high, int most) {
     return std::pair(int(std::clamp(std::ceil(low - 0.5), 0.0, double(most))),
                      int(std::clamp(std::floor(high - 0.5) + 1, 0.0, double(most))));
@@ -91,7 +91,7 @@ void SurfaceOcclusion::draw(const Vector3& a, const Vector3& b, const Vector3& c
       range(p.x() + std::min({0.0, u.x(), v.x()}), p.x() + std::max({0.0, u.x(), v.x()}), width_);
   const auto [top, bottom] =
       range(p.y() + std::min({0.0, u.y(), v.y()}), p.y() + std::max({0.0, u.y(), v.y()}), height_);
-  constexpr double seam = 1e-9;  // no gaps between neighbours
+  constexpr double seam = 1e-9;  // avoids gaps between neighbours
   for (int y = top; y < bottom; ++y)
     for (int x = left; x < right; ++x) {
       const Vector2 d = Vector2(x + 0.5, y + 0.5) - p;
@@ -109,7 +109,7 @@ bool SurfaceOcclusion::hides(const Vector3& world) const {
   const double own = nearness(std::max(at->z() - slack, 0.5 * at->z()));
   const int x = int(std::floor(std::clamp(at->x() / cell_, -9.0, 1e6))),
             y = int(std::floor(std::clamp(at->y() / cell_, -9.0, 1e6)));
-  // What lies beyond the picture is not known.
+  // Nothing is known outside the picture.
   if (x < 1 || y < 1 || x + 1 >= width_ || y + 1 >= height_) return false;
   for (int j = y - 1; j <= y + 1; ++j)
     for (int i = x - 1; i <= x + 1; ++i)

@@ -1,6 +1,6 @@
 #pragma once
 
-// What surfaces hide, by a coarse depth picture: for marks that lie on a surface or beside it.
+// Occlusion by surfaces, by a coarse depth buffer, for marks on or beside a surface.
 
 #include <vector>
 
@@ -9,16 +9,17 @@
 
 namespace hariko {
 
-/// A depth picture with cells of a few pixels. A point is hidden where all surfaces round it are in front of
-/// it; within about a cell of a silhouette nothing is, so that what lies on the visible side of a surface
-/// never is hidden by it.
+/// Depth buffer with cells of a few pixels. A point counts as hidden where all surfaces in the cells round it
+/// are in front of it, so within about a cell of a silhouette nothing is hidden, and marks on the visible
+/// side of a surface never are.
 class SurfaceOcclusion {
  public:
-  /// `cell`: in pixels. Of an object its display mesh and transform are used. What the section cuts away
-  /// hides nothing, nor do triangles that reach behind the eye. Of meshes with more than 50,000 triangles
-  /// only the corners of the patches are drawn. O(triangles + cells).
+  /// Draws the display meshes of objects. `cell`: pixels. Parts that the section cuts away and triangles that
+  /// reach behind the eye hide nothing. Of meshes with more than 50,000 triangles only the corners of the
+  /// patches are used. O(triangles + cells).
   SurfaceOcclusion(const std::vector<SceneObject>& objects, const std::optional<SectionPlane>& section,
                    const Projector& projector, double cell = 4);
+  /// Whether surfaces hide a world point.
   bool hides(const Vector3& world) const;
 
  private:
@@ -29,7 +30,8 @@ class SurfaceOcclusion {
   Projector projector_;
   double cell_;
   int width_, height_;
-  /// Of each cell: grows towards the eye and is linear on the screen; -infinity where nothing is.
+  /// Nearness by cell: grows towards the eye and is linear on the screen; -infinity where there is no
+  /// surface.
   std::vector<float> nearest_;
 };
 

@@ -18,7 +18,7 @@ constexpr std::array font_files{"/usr/share/fonts/opentype/inter/Inter-Regular.o
                                 "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf",
                                 "/usr/share/fonts/truetype/liberation/LiberationSans-Regular.ttf"};
 
-/// The code points of UTF-8; malformed bytes become U+FFFD.
+/// Code points of UTF-8 text; malformed bytes become U+FFFD.
 std::u32string decode(std::string_view text) {
   std::u32string out;
   for (std::size_t i = 0; i < text.size();) {
@@ -37,7 +37,7 @@ std::u32string decode(std::string_view text) {
   return out;
 }
 
-/// The rendered glyph with its origin at a pixel.
+/// Blends a rendered glyph with its origin at a pixel.
 void blend_glyph(Image& image, FT_GlyphSlot glyph, int x, int y, const Color& color) {
   const FT_Bitmap& bitmap = glyph->bitmap;
   for (unsigned row = 0; row < bitmap.rows; ++row)
@@ -56,7 +56,7 @@ struct TextPainter::State {
     if (face) FT_Done_Face(face);
     if (library) FT_Done_FreeType(library);
   }
-  /// Calls draw(pen position) with each glyph loaded; returns the text's width.
+  /// Calls draw(pen position) for each loaded glyph; returns the text's width.
   template <class Draw>
   double walk(std::string_view text, double size, FT_Int32 flags, Draw&& draw) {
     if (!face || FT_Set_Char_Size(face, 0, static_cast<FT_F26Dot6>(std::lround(size * 64)), 72, 72)) return 0;
@@ -105,7 +105,7 @@ void TextPainter::paint_turned(Image& image, std::string_view text, const Vector
   const auto fixed = [](double value) { return static_cast<FT_Fixed>(std::lround(value * 65536)); };
   FT_Matrix turn{fixed(c), fixed(-s), fixed(s), fixed(c)};
   state_->walk(text, size, FT_LOAD_NO_HINTING | FT_LOAD_NO_BITMAP, [&](double pen) {
-    // The glyph's origin, in pixels, y up.
+    // Origin of the glyph in pixels, y up.
     const double along = pen - half, up = -capitals / 2;
     const double x = middle.x() + c * along - s * up, y = -middle.y() + s * along + c * up;
     const FT_GlyphSlot glyph = state_->face->glyph;

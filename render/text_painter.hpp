@@ -1,6 +1,6 @@
 #pragma once
 
-// TextPainter: short lines of text onto pictures. Internal to render/; the window has its own text.
+// TextPainter: short lines of text in pictures. Internal to render/; the window has its own text.
 
 #include <memory>
 #include <string_view>
@@ -10,7 +10,7 @@
 
 namespace hariko {
 
-/// Uses the first installed font of a short list; without one, nothing is painted.
+/// Painter with the first installed font of a short list; without one it paints nothing.
 class TextPainter {
  public:
   TextPainter();
@@ -18,12 +18,13 @@ class TextPainter {
   TextPainter(TextPainter&&) noexcept;
   TextPainter& operator=(TextPainter&&) noexcept;
 
+  /// Whether a font was found.
   bool available() const;
   /// Width in pixels of UTF-8 text at a size in pixels (of the em).
   double width(std::string_view text, double size);
   /// Paints with the baseline's left end at (x, y).
   void paint(Image& image, std::string_view text, double x, double y, double size, Color color);
-  /// Paints with the middle of the line, of which letters are `capitals` pixels high, at a point; `angle` is
+  /// Paints a line centred at a point; its capitals are `capitals` pixels high, and `angle` is
   /// counter-clockwise, in radians.
   void paint_turned(Image& image, std::string_view text, const Vector2& middle, double angle, double size,
                     double capitals, Color color);

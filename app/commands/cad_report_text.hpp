@@ -1,6 +1,6 @@
 #pragma once
 
-// What was written as STEP or IGES, for people.
+// Report on a STEP or IGES export, as text.
 
 #include <string>
 
@@ -8,7 +8,7 @@
 
 namespace hariko {
 
-/// The report in lines for people, lengths in the document's unit.
+/// Report in lines for people, lengths in the document's unit.
 std::string text_of(const CadExportReport& report, Unit unit);
 
 }  // namespace hariko

@@ -1,6 +1,6 @@
 #pragma once
 
-// The subcommands, with their arguments already parsed. Each returns its exit code.
+// Commands with parsed arguments. Each returns its exit code.
 
 #include <filesystem>
 #include <optional>
@@ -21,9 +21,10 @@
 
 namespace hariko {
 
+/// Exit codes of the program.
 inline constexpr int exit_fine = 0, exit_failed = 1, exit_usage = 2;
 
-/// What is chosen for all outlines, instead of what the document says (`OutlineSettings`).
+/// Choices for all outlines, instead of the document's own (`OutlineSettings`).
 struct OutlineConstruction {
   std::optional<GaussMode> method;
   std::optional<CurvatureSign> sign;
@@ -35,48 +36,53 @@ struct OutlineConstruction {
 /// Choices for all surfaces round solids, instead of the document's own (`EnvelopeSettings`).
 struct SolidsConstruction {
   std::optional<EnvelopeMethod> method;
-  std::optional<double> ball_radius;  ///< infinite: the hull
+  std::optional<double> ball_radius;  ///< infinite: the convex hull
   std::optional<double> rounding;
   std::optional<bool> on_faces, finer_patches;
-  std::optional<double> bridge_radius;  ///< of the balls between bridged solids
+  std::optional<double> bridge_radius;  ///< radius of the balls between bridged solids
   friend bool operator==(const SolidsConstruction&, const SolidsConstruction&) = default;
 };
 
-/// How surfaces are made, instead of what the document says, and from what.
+/// Construction of all surfaces, instead of the document's own, and reading of meshes.
 struct Construction {
-  std::optional<Mode> mode;                 ///< of polyhedra; of outlines, where it is `fair` or `g2`
-  std::optional<Frames> frames = {};        ///< of polyhedra
-  std::optional<bool> merge_coplanar = {};  ///< of polyhedra: faces in one plane
+  std::optional<Mode> mode;                 ///< mode of polyhedra, and of outlines where it is `fair` or `g2`
+  std::optional<Frames> frames = {};        ///< frames of polyhedra
+  std::optional<bool> merge_coplanar = {};  ///< merging of coplanar faces of polyhedra
   OutlineConstruction outlines = {};
   SolidsConstruction solids = {};
   Reading reading = {};
   friend bool operator==(const Construction&, const Construction&) = default;
 };
 
-/// What of the document is written, and how its numbers stand there.
+/// Objects to write, and the unit and placement of their coordinates.
 struct FileArguments {
   FileChoices choices;
-  std::vector<std::string> only;  ///< names of objects; empty: all visible ones
+  std::vector<std::string> only;  ///< names of objects; empty: all visible objects
 };
 
+/// Arguments of `hariko info`.
 struct InfoArguments {
   std::filesystem::path file;
   std::optional<std::filesystem::path> against;  ///< document to compare surfaces with
   bool json = false;
   Construction construction;
 };
+/// Describes a file's objects.
 int run_info(const InfoArguments& arguments);
 
+/// Arguments of `hariko export`.
 struct ExportArguments {
   std::filesystem::path file, out;
   int density = 8;       ///< 1 .. 256
-  bool control = false;  ///< the control meshes of skins instead of triangles
+  bool control = false;  ///< writes the control meshes of skins instead of triangles
   FileArguments file_arguments;
-  CadChoices cad;  ///< of STEP and IGES
+  CadChoices cad;  ///< for STEP and IGES
   Construction construction;
 };
+/// Writes a document's surfaces in a format of other programs.
 int run_export(const ExportArguments& arguments);
 
+/// Arguments of `hariko render` for pictures.
 struct RenderArguments {
   std::filesystem::path file, out;
   int width = 1280, height = 960;
@@ -86,30 +92,35 @@ struct RenderArguments {
   bool polyhedron = false, network = false, marks = false, combs = false, tensions = false;
   PatchWire wire = PatchWire::none;
   std::optional<Material> material;  ///< instead of each object's own
-  std::optional<Colour> colour;      ///< likewise
+  std::optional<Colour> colour;      ///< instead of each object's own
   Background background = Background::dark;
   std::optional<SectionPlane> section;
   Construction construction;
   int stripes = 9;
   bool colour_blind_safe = false;
 };
+/// Draws a picture of a document.
 int run_render(const RenderArguments& arguments);
 
+/// Arguments of `hariko mesh`.
 struct MeshArguments {
   std::filesystem::path file, out;
   MeshOptions options;           ///< lengths in the document's unit
-  std::filesystem::path errors;  ///< where error maps are written; empty: nowhere
+  std::filesystem::path errors;  ///< file for the error maps; empty: none
   FileArguments file_arguments;
   bool json = false;
   Construction construction;
 };
+/// Writes a document's surfaces as triangles under tolerances.
 int run_mesh(const MeshArguments& arguments);
 
+/// Arguments of `hariko evaluate`.
 struct EvaluateArguments {
   std::filesystem::path file;
   Construction construction;
   std::optional<std::filesystem::path> tension;
 };
+/// Prints the numbers of surfaces as JSON, for checks against other implementations.
 int run_evaluate(const EvaluateArguments& arguments);
 
 /// Real size of the model along an axis: 0 width (x), 1 depth (y), 2 height (z).
@@ -118,21 +129,23 @@ struct PaperModelSize {
   double millimetres = 0;
 };
 
+/// Arguments of `hariko unfold`.
 struct UnfoldArguments {
   std::filesystem::path file;
   std::vector<std::filesystem::path> outs;
-  FacetOptions facets;  ///< of a document's surfaces
+  FacetOptions facets;  ///< for a document's surfaces
   Reading reading;
-  std::optional<PaperModelSize> size;  ///< otherwise lengths are as in the file
-  bool fit = false;                    ///< the largest model of which no facet is larger than the page
-  PaperSettings settings;              ///< but for the scale
+  std::optional<PaperModelSize> size;  ///< nothing: lengths as in the file
+  bool fit = false;        ///< chooses the largest scale at which no facet is larger than the page
+  PaperSettings settings;  ///< the scale in it is ignored
   UnfoldOptions options;
   bool json = false;
 };
+/// Unfolds a model to sheets of paper.
 int run_unfold(const UnfoldArguments& arguments);
 
-/// For the build: pictures of the samples in `assets`, in the folder `out`. Without OpenGL there are none,
-/// which is said and is no failure: the program draws them when it shows them.
+/// Draws the pictures of the samples in `assets` into the folder `out`, for the build. Without OpenGL it
+/// draws none, prints a note and succeeds: the program then draws them when it shows them.
 int run_sample_pictures(const std::filesystem::path& assets, const std::filesystem::path& out);
 
 }  // namespace hariko

@@ -45,7 +45,7 @@ ProgressLine::~ProgressLine() {
   thread_.join();
 }
 
-/// Ten times a second; short work shows nothing.
+/// Draws the line ten times a second; short work shows nothing.
 void ProgressLine::show() {
   constexpr std::chrono::milliseconds beat{100};
   constexpr const char* clear_line = "\r\033[K";

@@ -1,6 +1,6 @@
 #pragma once
 
-// What subcommands write: results to the standard output, messages to the standard error stream.
+// Console output of commands: results go to the standard output, messages to the standard error stream.
 
 #include <condition_variable>
 #include <mutex>
@@ -16,21 +16,20 @@ namespace hariko {
 
 inline constexpr Code e_output{"E_OUTPUT"};
 
-/// "FILE: error E_PARSE: ..." on the standard error stream.
+/// Reports a message as "FILE: error E_PARSE: ..." on the standard error stream.
 void report(std::string_view file, const Message& message);
 
-/// One line for each kind of message, with the count and the first elements.
+/// Reports messages, one line for each kind with the count and the first elements.
 void report(std::string_view file, std::span<const Message> messages);
 
-/// Shows on the standard error stream how far some work is, where that is a terminal; the line goes when this
-/// does.
+/// Progress line on the standard error stream, only where that is a terminal. Destruction erases the line.
 class ProgressLine {
  public:
   explicit ProgressLine(std::string what);
   ~ProgressLine();
   ProgressLine(const ProgressLine&) = delete;
   ProgressLine& operator=(const ProgressLine&) = delete;
-  /// For the work.
+  /// Progress to be updated by the work.
   const Progress& progress() const { return progress_; }
 
  private:
@@ -41,14 +40,14 @@ class ProgressLine {
   std::mutex mutex_;
   std::condition_variable ends_;
   bool ended_ = false;
-  std::thread thread_;  ///< not running where nobody looks
+  std::thread thread_;  ///< not running without a terminal
 };
 
-/// Writes and flushes the standard output; false (after an error message) when that fails, as on a full disk
-/// or a closed pipe.
+/// Writes text to the standard output and flushes it; false, after an error message, where that fails, as on
+/// a full disk or a closed pipe.
 bool print(std::string_view text);
 
-/// Wall-clock time of the steps of a job.
+/// Wall-clock times of the steps of a job.
 class Stopwatch {
  public:
   Stopwatch();

@@ -1,5 +1,7 @@
 #pragma once
 
+// Reading of a command's input file, with the choices of its options.
+
 #include <filesystem>
 #include <optional>
 
@@ -8,20 +10,21 @@
 
 namespace hariko {
 
-/// Opens a file; a mesh that makes no polyhedron is repaired or kept as facets where that is asked for, which
-/// a warning then tells in the place of the errors; else a warning tells that it can be.
+/// Opens a file. A mesh that makes no polyhedron is repaired or kept as facets where `reading` says so, and a
+/// warning about that replaces the errors; otherwise a warning tells that it is possible.
 OpenedFile open_as_asked(const std::filesystem::path& file, const Reading& reading,
                          const Progress& progress = {});
 
-/// Opens the file of a subcommand; reports all messages on the error stream and gives nothing on an error.
+/// Opens a command's file; reports all messages on the error stream and returns nothing on an error.
 std::optional<Document> read_document_or_report(const std::filesystem::path& file,
                                                 const Construction& construction = {});
 
-/// Every polyhedron and outline gets the construction, locked ones too: nothing is saved.
+/// Document with the construction applied to every polyhedron, outline and set of solids, also to locked
+/// ones, as nothing is saved.
 Document with_construction(Document document, const Construction& construction);
 
-/// The objects of these names, hidden ones included, and no others visible; all as they are when `only` is
-/// empty. Error: E_NO_SUCH_OBJECT.
+/// Document in which exactly the objects of these names are visible, also hidden ones; unchanged where `only`
+/// is empty. Errors: E_NO_SUCH_OBJECT.
 Result<Document> with_only(const Document& document, const std::vector<std::string>& only);
 
 }  // namespace hariko

@@ -14,7 +14,7 @@ namespace hariko {
 int run_drawing(const DrawingArguments& arguments) {
   const auto document = read_document_or_report(arguments.file, arguments.construction);
   if (!document) return exit_failed;
-  RenderArguments picture;  // that is seen by the same camera
+  RenderArguments picture;  // picture with the same camera
   picture.file = arguments.file;
   auto objects = shown_objects_or_report(*document, picture);
   if (!objects) return exit_failed;
@@ -24,7 +24,7 @@ int run_drawing(const DrawingArguments& arguments) {
     surfaces.push_back({object.surface, Eigen::Affine3d(object.part.transform)});
     scene.objects.push_back(std::move(object.part));
   }
-  // Cameras count in whole pixels; only the shape matters to them here.
+  // Cameras count in whole pixels; only the aspect ratio matters to them here.
   constexpr double fine = 100;
   const PixelSize shape{int(std::lround(fine * arguments.width)), int(std::lround(fine * arguments.height))};
   const Box3 box = scene.world_box();

@@ -1,22 +1,23 @@
 #pragma once
 
-// The subcommand `render` where it draws lines. Internal to app/commands.
+// Command `render` for line drawings. Internal to app/commands.
 
 #include "app/commands/commands.hpp"
 #include "core/drawing/write_drawing_svg.hpp"
 
 namespace hariko {
 
-/// A line drawing of what `run_render` would draw, seen by the same camera.
+/// Line drawing of the same objects and view as `run_render`.
 struct DrawingArguments {
   std::filesystem::path file, out;
   double width = 1280, height = 960;  ///< pixels of 1/96 inch
-  PageUnit unit = PageUnit::pixel;    ///< of the file
+  PageUnit unit = PageUnit::pixel;    ///< unit of the file
   StandardView view = StandardView::iso;
   std::optional<SectionPlane> section;
   LineDrawingSettings lines;
   Construction construction;
 };
+/// Writes a line drawing of a document.
 int run_drawing(const DrawingArguments& arguments);
 
 }  // namespace hariko

@@ -35,12 +35,13 @@ void write_tangents(JsonWriter& json, const Polyhedron& polyhedron, const Networ
   }
 }
 
-/// Degree elevation gives D310 = (V0 + 3 V1) / 4 from the cubic's points, so the tangents can be read off.
+/// Tangent of a cubic from its quartic form: degree elevation gives D310 = (V0 + 3 V1) / 4.
 Vector3 tangent_from(const Vector3& end, const Vector3& beside) {
   return 4.0 / 3 * (beside - end);
 }
 
-/// Control points are those of extended quartics: mode G2 has none, and says the points at the centres only.
+/// Writes a face. Control points are those of extended quartics; mode G2 has none and gives only the centre
+/// points.
 void write_face(JsonWriter& json, Index f, const Polyhedron& polyhedron, const Surface& surface,
                 const QuarticPatchSet* quartics) {
   const HalfEdgeMesh& mesh = polyhedron.topology();
@@ -80,7 +81,7 @@ void write_patch(JsonWriter& json, Index h, const HalfEdgeMesh& mesh, const Surf
   });
 }
 
-/// Sum of D^T K_n D over the patches: thin-plate energy in the regular charts of mode FAIR.
+/// Thin-plate energy in the regular charts of mode FAIR: sum of D^T K_n D over the patches.
 double plate_energy(const HalfEdgeMesh& mesh, const QuarticPatchSet& patches) {
   std::map<Index, ControlMatrix> plate;
   double sum = 0;
@@ -134,7 +135,7 @@ Result<std::string> evaluation_json(const PolyhedronSource& half) {
   if (!whole) return whole.error();
   const auto input = surface_input(*whole);
   if (!input) return input.error();
-  // As the surface is made: what preparation changes is what is told.
+  // Reports the polyhedron after preparation, which the surface is made from.
   PolyhedronSource source = *whole;
   source.polyhedron = input->polyhedron;
   source.shaping = input->shaping;

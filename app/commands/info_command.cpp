@@ -21,7 +21,7 @@ class Describer {
     alone_ = count == 1;
   }
 
-  /// False where the output cannot be written.
+  /// Describes all objects; false where the output cannot be written.
   bool describe_all(const Document* against) {
     if (!alone_) report(arguments_.file.string(), input_.messages);
     if (!input_.document) return !input_.broken_mesh || take(inspect_broken(input_));
@@ -30,7 +30,7 @@ class Describer {
       const std::string place =
           alone_ ? ""
                  : std::to_string(++number) + "/" + std::to_string(input_.document->objects.size()) + " ";
-      // Counts stand there at once, while the rest is measured.
+      // Prints the counts immediately, while the rest is measured.
       const std::string head = arguments_.json ? "" : info_head(inspect_at_once(*object));
       if (!head.empty() && !print((objects_.empty() ? "" : "\n") + head)) return false;
       std::optional<ObjectInfo> info;
@@ -46,9 +46,9 @@ class Describer {
   const std::vector<ObjectInfo>& objects() const { return objects_; }
 
  private:
-  /// `head`: was printed already.
+  /// Adds or prints an object. `head`: part of its text that was printed already.
   bool take(ObjectInfo info, const std::string& head = {}) {
-    // Messages about the file as a whole stand with its one object; with several, or none, they go to the
+    // Messages about the whole file belong to its only object; with several objects, or none, they go to the
     // error stream.
     if (alone_) info.messages.insert(info.messages.begin(), input_.messages.begin(), input_.messages.end());
     info.milliseconds.insert(info.milliseconds.begin(), {"read", reading_});

@@ -1,6 +1,6 @@
 #pragma once
 
-// The line about a model that was moved to zero as it was written. Internal to app/commands.
+// Line about a model that was moved to the origin when it was written. Internal to app/commands.
 
 #include <string>
 
@@ -8,7 +8,7 @@
 
 namespace hariko {
 
-/// "moved to zero by -x -y -z", a line, in the file's numbers; empty where nothing moved.
+/// Line "moved to zero by -x -y -z" in the file's numbers; empty where nothing moved.
 std::string moved_text(const Vector3& moved);
 
 }  // namespace hariko

@@ -33,12 +33,12 @@ void count_topology(const HalfEdgeMesh& mesh, ObjectInfo& info) {
   info.boundary_loops = mesh.border_loop_count();
   long used = 0;
   for (Index v = 0; v < mesh.vertex_count(); ++v) used += mesh.outgoing(v) != no_index ? 1 : 0;
-  // Euler: V - E + F = 2 components - 2 genus - loops, summed over the components.
+  // Euler characteristic: V - E + F = 2 components - 2 genus - loops, summed over the components.
   const long euler = used - long(mesh.edge_count()) + long(mesh.face_count());
   info.genus = static_cast<std::size_t>((2 * long(components) - long(*info.boundary_loops) - euler) / 2);
 }
 
-/// Validation names elements by dense indices; outside they are known by their ids.
+/// Replaces the dense indices that validation reports by stable ids.
 Element named(const Polyhedron& polyhedron, const Element& element) {
   const auto vertex = [&](std::uint64_t v) { return polyhedron.vertex_id(static_cast<Index>(v)); };
   switch (element.kind) {
@@ -88,7 +88,7 @@ EnvelopeInfo envelope_info(const EnvelopeSurface& made, const EnvelopeInput& inp
   return out;
 }
 
-/// The surface round solids, with the counts of its network.
+/// Builds the surface round solids and adds the figures of its network.
 Result<PolyhedronSurface> inspect_solids(const SolidsSource& source, double scale, ObjectInfo& info) {
   auto made = EnvelopeSurfacer().rebuild(*source.input);
   if (!made) return made.error();
@@ -114,7 +114,7 @@ SkinInfo skin_info(const Skin& skin, const SkinSurface& made) {
   out.method = methods[std::size_t(skin.method)];
   out.columns = std::size_t(mesh.grid_columns);
   out.rows = std::size_t(mesh.grid_rows);
-  // Rows of a section belong to both its strips.
+  // The border rows of a section belong to both its strips.
   for (const auto& rows : mesh.rows) out.rows += rows.size() - 1;
   if (!mesh.rows.empty() && !skin.path.closed) ++out.rows;
   out.extraordinary = figures(mesh.control.mesh).extraordinary;
@@ -127,7 +127,7 @@ SkinInfo skin_info(const Skin& skin, const SkinSurface& made) {
   return out;
 }
 
-/// The surface over sections, with the counts of its control mesh.
+/// Builds the surface over sections and adds the figures of its control mesh.
 Result<PolyhedronSurface> inspect_skin(const Skin& skin, double scale, ObjectInfo& info) {
   const LocalSkin local = local_skin(skin);
   auto made = SkinSurfacer().surface(local.skin, local.origin);
@@ -142,7 +142,7 @@ Result<PolyhedronSurface> inspect_skin(const Skin& skin, double scale, ObjectInf
   return out;
 }
 
-/// The counts of an outline's control points; what is wrong with it is left to its surface.
+/// Adds the figures of an outline's control points; its errors are reported with its surface.
 void inspect_outline(const OutlineSource& source, double scale, ObjectInfo& info) {
   const auto points = control_points(*source.outline, gauss_options(source.settings));
   if (!points) return;
@@ -211,7 +211,7 @@ void inspect_surface(const Document& document, const Object& object, const Docum
   }
 }
 
-/// Facets as they are: faces are cut into triangles round the mean of their corners.
+/// Adds the figures of facets; faces are triangulated round the mean of their corners.
 void inspect_facets(const PolygonMesh& mesh, double scale, ObjectInfo& info) {
   Stopwatch watch;
   info.vertices = mesh.positions.size();

@@ -1,6 +1,6 @@
 #pragma once
 
-// What `hariko info` tells about an object.
+// Report of `hariko info` on an object.
 
 #include <map>
 #include <optional>
@@ -15,43 +15,44 @@
 
 namespace hariko {
 
-/// Of solids: how the surface round them was made.
+/// Figures of a surface round solids.
 struct EnvelopeInfo {
   std::size_t solids = 0;
-  std::string symmetry;              ///< "none", or the axis across the plane
-  std::size_t images = 0;            ///< of solids, in that plane
-  bool symmetric = false;            ///< the surface is its own image
+  std::string symmetry;              ///< "none", or the axis perpendicular to the mirror plane
+  std::size_t images = 0;            ///< number of mirror images of solids
+  bool symmetric = false;            ///< the surface equals its mirror image
   std::string method;                ///< "ball" or "network"
-  bool enclosed = false;             ///< to 1e-4 of the diagonal
-  std::optional<double> sticks_out;  ///< length; only where faces lie on the solids
-  double worst = 0;  ///< farthest test point outside, by the independent check, over the diagonal
+  bool enclosed = false;             ///< all solids are enclosed, to 1e-4 of the diagonal
+  std::optional<double> sticks_out;  ///< largest protrusion, a length; only where faces lie on the solids
+  /// Largest distance of a test point outside the surface, by an independent check, relative to the diagonal.
+  double worst = 0;
   std::size_t tested = 0, outside = 0;
   std::size_t folds = 0;
-  std::size_t crossing = 0;  ///< patches inside of another part of the surface
-  std::size_t coarse = 0;    ///< patches of the ball that miss its shape
-  int rounds = 0;            ///< in which cubes below patches of the ball were halved
+  std::size_t crossing = 0;  ///< patches inside another part of the surface
+  std::size_t coarse = 0;    ///< patches of the ball surface that miss its shape
+  int rounds = 0;            ///< rounds of halving the cubes below patches of the ball surface
 };
 
-/// Of skins: the control mesh and how near the surface is to the sections.
+/// Figures of a skin: its control mesh, and its distance from the sections.
 struct SkinInfo {
   std::size_t sections = 0;
   std::string method;                        ///< "smooth", "anchored" or "pleat"
-  std::size_t rows = 0, columns = 0;         ///< of the control mesh; columns only of a regular grid
-  std::map<std::string, int> extraordinary;  ///< as `ControlMeshFigures`
+  std::size_t rows = 0, columns = 0;         ///< size of the control mesh; columns only for a regular grid
+  std::map<std::string, int> extraordinary;  ///< as in `ControlMeshFigures`
   std::size_t creases = 0, regular_faces = 0;
-  std::optional<double> condition;   ///< of the limit matrix; nothing where it is singular
+  std::optional<double> condition;   ///< condition number of the limit matrix; nothing where it is singular
   std::vector<double> section_miss;  ///< largest distance of the surface's curve from each section
 };
 
-/// Of an outline: the control points inside.
+/// Figures of an outline: its inner control points.
 struct OutlineInfo {
   std::string method;
   std::size_t loops = 0, points = 0, inserted = 0;
   double gap = 0;  ///< see `ControlPoints`
 };
 
-/// What does not exist, or is not known because of an error, is empty. Lengths are in the document's unit,
-/// after the object's transform.
+/// Figures of an object. Members that do not exist, or are unknown because of an error, are empty. Lengths
+/// are in the document's unit, after the object's transform.
 struct ObjectInfo {
   std::string name, kind;
   std::optional<std::size_t> vertices, edges, faces, patches, components, genus, boundary_loops;
@@ -61,27 +62,28 @@ struct ObjectInfo {
   std::optional<EnvelopeInfo> envelope;
   std::optional<SkinInfo> skin;
   std::optional<OutlineInfo> outline;
-  /// Present when the object was compared with another document's; empty inside where that one has no such
-  /// object, or one of the two has no surface.
+  /// Comparison with another document's object, present where it was requested; empty inside where that
+  /// document has no such object, or one of the two has no surface.
   std::optional<std::optional<SurfaceComparison>> against;
   std::vector<Message> messages;
-  std::vector<std::pair<std::string, double>> milliseconds;  ///< step, time
+  std::vector<std::pair<std::string, double>> milliseconds;  ///< step and time
 
+  /// Whether there is an error among the messages.
   bool failed() const;
 };
 
-/// `against`: the document whose object of the same id it is compared with, or null.
+/// Measures an object. `against`: document whose object of the same id it is compared with, or null.
 ObjectInfo inspect(const Document& document, const Object& object, const Document* against = nullptr);
-/// Information that needs no measuring: the name, the kind, and the counts of polyhedra and nets.
+/// Figures that need no measuring: name, kind, and the counts of polyhedra and nets.
 ObjectInfo inspect_at_once(const Object& object);
-/// Of a mesh file that makes no polyhedron.
+/// Figures of a mesh file that makes no polyhedron.
 ObjectInfo inspect_broken(const OpenedFile& input);
 
-/// {"objects": [...]} with the keys of docs/cli.md.
+/// Report as JSON, {"objects": [...]}, with the keys of docs/cli.md.
 std::string info_json(const std::vector<ObjectInfo>& objects);
-/// The same for people, one line a value.
+/// Report as text, one line for each value.
 std::string info_text(const std::vector<ObjectInfo>& objects);
-/// The first lines of that for an object, up to what is not known.
+/// First lines of an object's text report, up to the first value that is not known yet.
 std::string info_head(const ObjectInfo& object);
 
 }  // namespace hariko

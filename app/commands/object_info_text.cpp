@@ -1,4 +1,4 @@
-// ObjectInfo as JSON and as text.
+// Formatting of ObjectInfo as JSON and as text.
 
 #include <algorithm>
 #include <array>
@@ -17,7 +17,7 @@ namespace {
 struct InfoMember;
 using InfoMembers = std::vector<InfoMember>;
 
-/// The title of a key of the report, in the same words for programs and for people.
+/// Value of a report, formatted with the same keys for JSON and for text.
 struct InfoValue {
   std::variant<std::monostate, bool, std::int64_t, double, std::string, std::vector<double>,
                std::shared_ptr<const InfoMembers>>
@@ -95,7 +95,7 @@ InfoMembers members_of(const SkinInfo& skin) {
           {"section_miss", skin.section_miss}};
 }
 
-/// All but the messages and the times, in the order of the report.
+/// All members but the messages and the times, in the order of the report.
 InfoMembers members_of(const ObjectInfo& info) {
   InfoMembers out = {{"name", info.name},
                      {"kind", info.kind},
@@ -165,7 +165,7 @@ void write(JsonWriter& json, const Message& message) {
   });
 }
 
-/// Six significant digits are enough to read; the JSON has them all.
+/// Value as text, with six significant digits; the JSON has all digits.
 std::string readable(const InfoValue& value) {
   if (std::holds_alternative<std::monostate>(value.state)) return "-";
   const double* real = std::get_if<double>(&value.state);

@@ -38,7 +38,7 @@ Result<std::string> outline_json(const OutlineSource& source) {
     json.member("points", points.points);
     json.member("normals", points.normals);
     json.member("h", points.support);
-    json.member("K", points.curvature);  // null at flat points, where it may be anything
+    json.member("K", points.curvature);  // null at flat points, where it is undetermined
     json.member("triangles", points.triangles);
     json.array("boundary", [&] {
       for (Index i = 0; i < points.points.size(); ++i) json.value(i < points.boundary_count);

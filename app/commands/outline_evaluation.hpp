@@ -1,6 +1,6 @@
 #pragma once
 
-// The control points of an outline as JSON: for checking against other implementations.
+// Control points of an outline as JSON, for checks against other implementations.
 
 #include <string>
 
@@ -8,8 +8,8 @@
 
 namespace hariko {
 
-/// Points, normals, support values, curvature, triangles, boundary flags and messages, in absolute
-/// coordinates of the object. docs/cli.md describes the members. Errors: those of `control_points`.
+/// JSON with points, normals, support values, curvature, triangles, boundary flags and messages, in absolute
+/// coordinates of the object; docs/cli.md describes the members. Errors: those of `control_points`.
 Result<std::string> outline_json(const OutlineSource& source);
 
 }  // namespace hariko

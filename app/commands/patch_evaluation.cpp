@@ -15,11 +15,11 @@ namespace hariko {
 
 namespace {
 
-/// Corners, the middle, a point on a side, and two beside the diagonals.
+/// Sampled parameters: corners, the middle, a point on a side, and two beside the diagonals.
 constexpr std::array<std::array<double, 2>, 8> square_samples{
     {{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0.5, 0.5}, {0.5, 0}, {0.25, 0.5}, {0.7, 0.2}}};
 
-/// How a patch of the source is written down, and whether the surface has its parameters swapped.
+/// Form of a patch in the source, and whether the surface has its parameters swapped.
 struct WrittenPatch {
   int degree_s = 3, degree_t = 3;
   bool rational = false, flipped = false;

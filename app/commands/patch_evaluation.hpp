@@ -1,6 +1,6 @@
 #pragma once
 
-// The numbers of an object of Bezier patches as JSON: for checking against other implementations.
+// Numbers of an object of Bezier patches as JSON, for checks against other implementations.
 
 #include <string>
 
@@ -9,9 +9,9 @@
 
 namespace hariko {
 
-/// Points, normals and curvatures of each patch at a few parameters, as the file counts them, and how the
-/// patches meet, in coordinates of the object. docs/cli.md describes the members. The object is one of
-/// patches (asserted). Errors: those of `object_surface`.
+/// JSON with points, normals and curvatures of each patch at a few parameters, counted as in the file, and
+/// with the continuity between patches, in coordinates of the object; docs/cli.md describes the members. The
+/// object must consist of patches (asserted). Errors: those of `object_surface`.
 Result<std::string> patch_evaluation_json(const Document& document, const Object& object);
 
 }  // namespace hariko

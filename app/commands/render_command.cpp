@@ -11,7 +11,7 @@ namespace hariko {
 
 namespace {
 
-/// One range for all objects, so that a colour means the same everywhere.
+/// Sets one range for all objects, so that a colour means the same everywhere.
 void set_ranges(Scene& scene, SurfaceMap map, const MapRange& wanted, Legend& legend) {
   std::vector<float> values;
   for (const SceneObject& object : scene.objects) {

@@ -8,17 +8,17 @@ namespace hariko {
 
 namespace {
 
-/// f_n of the construction: 1 / (4 sin^2(pi / n)).
+/// Side factor of the construction: f_n = 1 / (4 sin^2(pi / n)).
 double side_factor(Index sides) {
   const double sine = std::sin(std::numbers::pi / sides);
   return 1 / (4 * sine * sine);
 }
 
-/// Sums y . R and |y|^2 over the edges of one ring; the edges alternate in sign.
+/// Sums of y . R and |y|^2 over the edges of one ring; the edges alternate in sign.
 class RingSum {
  public:
-  /// left and right: the inner points beside the edge; a_left + a_right = 1; x: side factors of the patches'
-  /// faces.
+  /// Adds an edge. `left` and `right`: inner points beside the edge; a_left + a_right = 1; `x_left` and
+  /// `x_right`: side factors of the patches' faces.
   void add(const Vector3& centre, const Vector3& left, double a_left, const Vector3& right, double x_left,
            double x_right) {
     const double y = sign_ * (1 / x_left + 1 / x_right);

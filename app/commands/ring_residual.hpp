@@ -1,6 +1,6 @@
 #pragma once
 
-// How far the G1 conditions round a point are from being solvable by plain quartic patches.
+// Residual of the G1 conditions round a vertex for plain quartic patches.
 
 #include "core/document/source.hpp"
 #include "core/patching/quartic_patch.hpp"
@@ -9,8 +9,8 @@ namespace hariko {
 
 /// Largest |y . R| / |y| over all even rings: those round split points of faces with an even number of sides
 /// and round inner vertices without creases. y is the left null vector of the ring's conditions, R their
-/// right-hand sides relative to the ring's centre. Zero means that ordinary quartics would do. `patches` are
-/// those of `source`, one a half-edge.
+/// right-hand sides relative to the ring's centre. Zero means that ordinary quartics would suffice. `patches`
+/// are those of `source`, one for each half-edge. O(half-edges).
 double largest_ring_residual(const PolyhedronSource& source, const QuarticPatchSet& patches);
 
 }  // namespace hariko

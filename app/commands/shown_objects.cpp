@@ -15,7 +15,7 @@ namespace hariko {
 
 namespace {
 
-/// Reference facets as a part of the scene: flat, with nothing but their edges to show.
+/// Reference facets as a part of the scene: flat, with their edges only.
 ShownObject shown_facets(const Object& object, const RenderArguments& arguments) {
   const Surface surface = facets_of(*object.mesh());
   SceneObject out;
@@ -27,7 +27,7 @@ ShownObject shown_facets(const Object& object, const RenderArguments& arguments)
   return {std::move(out), surface};
 }
 
-/// Adds combs and marks of a surface.
+/// Adds combs and continuity marks of a surface.
 void add_curves(const Object& object, const Surface& surface, const RenderArguments& arguments,
                 SceneObject& out) {
   if (arguments.combs) {
@@ -38,13 +38,13 @@ void add_curves(const Object& object, const Surface& surface, const RenderArgume
   if (arguments.marks) out.marks = edge_marks(*out.mesh, classify(surface, continuity(surface), {}));
 }
 
-/// The surface of an object as a part of the scene, at the density that looks smooth.
+/// Surface of an object as a part of the scene, at a density that looks smooth.
 Result<ShownObject> shown_surface(const Document& document, const Object& object,
                                   const RenderArguments& arguments) {
   const auto built = object_surface(document, object);
   if (!built.ok()) return built.error();
   SceneObject out;
-  // Lines of the display mesh are there to be told apart.
+  // Lines of the display mesh need the object's own density to be distinguishable.
   const int density = arguments.wire == PatchWire::mesh
                           ? object.display.density
                           : display_density(built->surface.patch_count(), built->surface.domain(), 1'000'000);

@@ -1,6 +1,6 @@
 #pragma once
 
-// What `hariko render` draws, as pictures or lines. Internal to app/commands.
+// Objects that `hariko render` draws, as pictures or lines. Internal to app/commands.
 
 #include <optional>
 #include <vector>
@@ -10,13 +10,14 @@
 
 namespace hariko {
 
+/// Object of a picture, with its surface.
 struct ShownObject {
   SceneObject part;
   Surface surface;
 };
 
-/// The visible objects, surfaces and reference facets; reports what is wrong and gives nothing when one
-/// cannot be made, or there is none.
+/// Visible surfaces and reference facets; reports errors and returns nothing where one cannot be made, or
+/// there is none.
 std::optional<std::vector<ShownObject>> shown_objects_or_report(const Document& document,
                                                                 const RenderArguments& arguments);
 

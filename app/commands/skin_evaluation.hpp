@@ -1,6 +1,6 @@
 #pragma once
 
-// The numbers of a skin as JSON: for checking against other implementations.
+// Numbers of a skin as JSON, for checks against other implementations.
 
 #include <string>
 
@@ -8,8 +8,8 @@
 
 namespace hariko {
 
-/// Control mesh, creases, lines, rows, figures and sampled points. docs/cli.md describes the members. Errors:
-/// those of `SkinSurfacer::surface`.
+/// JSON with control mesh, creases, lines, rows, figures and sampled points; docs/cli.md describes the
+/// members. Errors: those of `SkinSurfacer::surface`.
 Result<std::string> skin_evaluation_json(const Skin& skin);
 
 }  // namespace hariko

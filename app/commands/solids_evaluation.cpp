@@ -8,12 +8,13 @@ namespace hariko {
 
 namespace {
 
-/// (w x, w y, w z, w) of a control point, about the document's origin.
+/// Control point (w x, w y, w z, w) relative to the document's origin.
 std::array<double, 4> about_origin(const Homogeneous& h, const Vector3& origin) {
   return {h.x() + h.w() * origin.x(), h.y() + h.w() * origin.y(), h.z() + h.w() * origin.z(), h.w()};
 }
 
-/// The number of a solid of the network, as the file has it: capsules make two of one, and images none.
+/// Number of a network's solid as in the file: capsules become two solids of one number, mirror images have
+/// none.
 auto owner(Index solid, const CurveNetwork& network, const EnvelopedScene& scene) {
   return solid == no_index ? std::nullopt : std::optional(scene.image_of[network.owners[solid]]);
 }

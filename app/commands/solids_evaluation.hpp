@@ -1,6 +1,6 @@
 #pragma once
 
-// `hariko evaluate` of solids: the network round them, as JSON.
+// Network round solids as JSON, for `hariko evaluate`.
 
 #include <string>
 
@@ -9,9 +9,9 @@
 
 namespace hariko {
 
-/// Vertices, edges with homogeneous control points, faces with owners, the number of patches, level of
-/// tightness, and whether the solids are enclosed. On a field's cage there are no edges and faces. Errors:
-/// those of `EnvelopeSurfacer::rebuild`.
+/// JSON with vertices, edges with homogeneous control points, faces with owners, the number of patches, the
+/// level of tightness, and whether the solids are enclosed. Surfaces made from a distance field have no edges
+/// and faces. Errors: those of `EnvelopeSurfacer::rebuild`.
 Result<std::string> solids_json(const SolidsSource& source);
 
 }  // namespace hariko

@@ -12,9 +12,9 @@ namespace hariko {
 
 inline constexpr Code e_tension_file{"E_TENSION_FILE"};
 
-/// `shaping` with the file's settings added; vertices are named by their ids, for mesh files the position in
-/// the file from 0. Every member may be missing. Errors: E_TENSION_FILE for text that is no such file and for
-/// elements that the polyhedron does not have.
+/// Adds a file's settings to `shaping`. Vertices are named by their ids, which for mesh files are the
+/// positions in the file from 0. Every member may be missing. Errors: E_TENSION_FILE for other texts and for
+/// elements that the polyhedron does not have. O(size log elements).
 Result<Shaping> read_tensions(std::string_view text, const Polyhedron& polyhedron, Shaping shaping);
 
 }  // namespace hariko

@@ -14,10 +14,10 @@ namespace hariko {
 
 namespace {
 
-/// Millimetres of paper for one unit of the mesh. Errors: E_PAPER_SETTING where the model has no extent
-/// there.
+/// Millimetres of paper per unit of the mesh. Errors: E_PAPER_SETTING where the model has no extent along the
+/// axis of the given size.
 Result<double> paper_scale(const UnfoldArguments& arguments, const PolygonMesh& mesh, double millimetres) {
-  // A little less: the packer turns pieces in steps.
+  // Slightly smaller: the packer rotates pieces in steps.
   if (arguments.fit) return 0.998 * largest_uncut_scale(mesh, arguments.settings);
   if (!arguments.size) return millimetres;
   double low = 1e300, high = -1e300;

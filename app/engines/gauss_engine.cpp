@@ -47,7 +47,7 @@ void GaussEngine::sync() {
         auto sphere =
             std::make_shared<const GaussSphere>(gauss_sphere(*source.outline, source.settings, step, cancel));
         return [this, object, step, sphere] {
-          // Sites that are gone are not selected any more.
+          // Deselects sites that no longer exist.
           const bool fewer =
               !view_.has(view_.selected) || !sphere->mesh || *view_.selected >= sphere->mesh->site_count();
           if (fewer) view_.selected.reset();

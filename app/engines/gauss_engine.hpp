@@ -1,6 +1,6 @@
 #pragma once
 
-// Keeps the Gauss sphere that is shown up to date, off the main thread.
+// GaussEngine: computes the displayed Gauss sphere, off the main thread.
 
 #include "app/engines/work_lane.hpp"
 #include "core/gaussmap/gauss_sphere.hpp"
@@ -9,13 +9,13 @@
 
 namespace hariko {
 
-/// For the main thread.
+/// Keeps the Gauss sphere of the active outline up to date. For the main thread.
 class GaussEngine {
  public:
   GaussEngine(const Editor& editor, GaussView& view, std::function<void()> wake);
 
-  /// Asks for the sphere of the active outline where it, or the step, has changed. Follows gestures: the
-  /// latest state that is ready shows.
+  /// Requests the sphere of the active outline where the outline or the step has changed. During gestures the
+  /// latest finished state is shown.
   void sync();
   std::size_t publish() { return lane_.publish(); }
   bool idle() const { return lane_.idle(); }
@@ -25,9 +25,9 @@ class GaussEngine {
 
   const Editor& editor_;
   GaussView& view_;
-  std::shared_ptr<const Object> object_;  ///< of the last request
+  std::shared_ptr<const Object> object_;  ///< object of the last request
   std::optional<Index> step_;
-  WorkLane lane_;  ///< last: its thread stops before the rest goes
+  WorkLane lane_;  ///< last: its thread stops before the other members are destroyed
 };
 
 }  // namespace hariko

@@ -19,10 +19,10 @@ namespace {
 
 constexpr int histogram_bins = 40;
 constexpr double to_degrees = 180 / std::numbers::pi;
-/// Samples over a facet's side, by the number of facets: what a screen can show.
+/// Numbers of facets above which fewer samples are taken along a facet's side: finer detail is not visible.
 constexpr std::size_t many_facets = 4000, most_facets = 20'000;
 
-/// What is meshed: a surface, or the facets of a reference mesh.
+/// Object to mesh: a surface, or the facets of a reference mesh.
 struct Subject {
   Surface surface;
   std::optional<TriangleMesh> dense;
@@ -41,16 +41,16 @@ Result<Subject> subject_of(const Document& document, const Object& object, const
   return out;
 }
 
-/// A quantity's factor to the unit in which it is shown, and how it is bounded.
+/// Error quantity, with its factor to the displayed unit and its tolerance.
 struct Shown {
   const ErrorField& field;
   bool at_samples;  ///< points of the field are the map's samples
   double unit;
-  std::optional<double> tolerance;  ///< in that unit
+  std::optional<double> tolerance;  ///< in the displayed unit
   std::optional<double> bound;
 };
 
-/// The largest, to two digits and not below it.
+/// Largest value, rounded up to two digits.
 double rounded_up(double value) {
   if (!(value > 0)) return 1;
   const double unit = std::pow(10.0, std::floor(std::log10(value)) - 1);
@@ -95,7 +95,7 @@ MeshErrors errors_of(const Surface& facets, const MeshErrorMap& map, int density
   return out;
 }
 
-/// `limits`: whose tolerances the colours run up to.
+/// Preview of an object. `limits`: settings whose tolerances bound the colours.
 Result<MeshPreview> preview_of(const Subject& subject, double scale, const MeshingSettings& settings,
                                const MeshingSettings& limits, const CancelToken& cancel,
                                const Progress& progress) {
@@ -144,7 +144,7 @@ Result<MeshPreview> preview_of(const Subject& subject, double scale, const Meshi
   return out;
 }
 
-/// One of the paper's compared meshes.
+/// Settings with one criterion alone, for the paper's comparison of meshes.
 MeshingSettings alone(const MeshingSettings& settings, MeshCriterion criterion) {
   MeshingSettings out = settings;
   for (auto& tolerance : out.tolerances) tolerance.on = false;
@@ -175,7 +175,7 @@ MeshingResult preview_mesh(const Document& document, const std::shared_ptr<const
   out.mesh = std::move(made).value();
   if (!settings.compare) return out;
   std::array<MeshPreview, 2> pair;
-  // Both meshes in the same colours, whichever criterion made them.
+  // Both meshes share the colours, whatever criterion made them.
   MeshingSettings limits = settings;
   limits.of(MeshCriterion::distance).on = limits.of(MeshCriterion::normal).on = true;
   const std::array criteria{MeshCriterion::distance, MeshCriterion::normal};

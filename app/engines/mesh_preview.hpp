@@ -1,6 +1,6 @@
 #pragma once
 
-// What the meshing panel shows of an object. For a worker.
+// Content of the meshing panel, on a worker.
 
 #include "core/base/cancellation.hpp"
 #include "core/base/progress.hpp"
@@ -8,8 +8,8 @@
 
 namespace hariko {
 
-/// Meshes an object of the document as the settings say and maps the errors. Errors become part of the
-/// result; cancelled work gives one without meshes.
+/// Meshes an object of the document with the given settings and maps the errors. Errors are part of the
+/// result; cancelled work returns one without meshes.
 MeshingResult preview_mesh(const Document& document, const std::shared_ptr<const Object>& object,
                            const MeshingSettings& settings, const CancelToken& cancel = {},
                            const Progress& progress = {});

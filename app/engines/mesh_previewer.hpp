@@ -1,19 +1,19 @@
 #pragma once
 
-// Keeps the mesh of the meshing panel up to date, off the main thread: the latest request wins.
+// MeshPreviewer: computes the mesh of the meshing panel, off the main thread; the latest request wins.
 
 #include "app/engines/work_lane.hpp"
 #include "ui/editor/editor.hpp"
 
 namespace hariko {
 
-/// For the main thread.
+/// Keeps the meshing panel up to date. For the main thread.
 class MeshPreviewer {
  public:
-  /// `published` is called when a mesh is ready to be shown.
+  /// `published`: called when a mesh is ready to be shown.
   MeshPreviewer(Editor& editor, std::function<void()> wake, std::function<void()> published);
 
-  /// Asks for what the panel's settings, or the object, have changed to. Rests during gestures.
+  /// Requests a mesh where the panel's settings or the object have changed. Rests during gestures.
   void sync();
   std::size_t publish() { return lane_.publish(); }
   bool idle() const { return lane_.idle() && !editor_.meshing.job; }
@@ -23,9 +23,9 @@ class MeshPreviewer {
 
   Editor& editor_;
   std::function<void()> published_;
-  std::shared_ptr<const Object> object_;  ///< of the last request
+  std::shared_ptr<const Object> object_;  ///< object of the last request
   MeshingSettings settings_;
-  WorkLane lane_;  ///< last: its thread stops before the rest goes
+  WorkLane lane_;  ///< last: its thread stops before the other members are destroyed
 };
 
 }  // namespace hariko

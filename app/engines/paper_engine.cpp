@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t most_faults = 100;
 
-/// Lines that show where the faults are.
+/// Lines that show the places of faults.
 std::vector<std::array<Vector3, 2>> lines_of(const std::vector<Message>& faults, const PolygonMesh& mesh) {
   std::vector<std::array<Vector3, 2>> out;
   const auto line = [&](std::uint64_t a, std::uint64_t b) {
@@ -30,7 +30,7 @@ std::vector<std::array<Vector3, 2>> lines_of(const std::vector<Message>& faults,
   return out;
 }
 
-/// A corner of parts of cut facets: named by its number, which is the same on the same facets and paper.
+/// Name of a corner of divided facets: its number, which is the same for the same facets and paper.
 PaperVertex name_of_cut(std::size_t number) {
   PaperVertex name;
   name.object = ObjectId{no_index};
@@ -38,13 +38,13 @@ PaperVertex name_of_cut(std::size_t number) {
   return name;
 }
 
-/// The facets on this paper: `before` where they are cut as these settings have it.
+/// Facets divided to fit this paper; `before` where it is divided for these settings already.
 MadePaperMesh on_paper(std::shared_ptr<const PaperFacets> whole, const PaperSettings& settings,
                        const std::shared_ptr<const PaperMesh>& before = nullptr) {
   MadePaperMesh out;
   out.mesh = before;
   auto made = cut_large_faces(whole->mesh, settings);
-  // Without paper for them the facets are there nevertheless: the settings will be mended.
+  // Without valid paper settings the undivided facets are kept: the settings can be corrected.
   if (!made.ok()) out.fault.messages = {made.error()};
   if (before && (!made.ok() || (before->cut == 0 && made->cut == 0))) return out;
   const CutFaces cut = made.ok() ? std::move(made).value() : CutFaces{whole->mesh, 0};
@@ -121,7 +121,8 @@ PaperEngine::Source PaperEngine::source_of(const Document& document, const Paper
   return out;
 }
 
-/// How objects are shown does not matter. All count: surfaces may be attached to others.
+/// Whether the same objects give the same facets. Display settings do not matter; all objects count, as
+/// surfaces may be attached to others.
 bool PaperEngine::same_objects(const Source& a, const Source& b) {
   return a.unit == b.unit && a.wanted == b.wanted &&
          std::equal(a.objects.begin(), a.objects.end(), b.objects.begin(), b.objects.end(),
@@ -136,7 +137,7 @@ bool PaperEngine::same(const Source& a, const Source& b) {
          same_objects(a, b);
 }
 
-/// What a search of this document would be for.
+/// Settings that a search of this document would use.
 PaperModel PaperEngine::choices_of_search(const Document& document) {
   PaperModel paper = paper_of(document);
   paper.objects = unfoldable_objects(document);
@@ -159,7 +160,7 @@ void PaperEngine::sync() {
     if (!document.paper && !searching_) {
       state.layout.reset();
       state.dragged.reset();
-      // What the search found wrong stays while the objects are as it saw them.
+      // The fault found by a search stays as long as the objects are unchanged.
       if (state.fault && source_ && !same_objects(*source_, source_of(document, choices_of_search(document))))
         state.fault.reset();
     }
@@ -168,7 +169,7 @@ void PaperEngine::sync() {
   }
   const Source source = source_of(document, *document.paper);
   const bool mesh_fits = source_ && (state.mesh || state.fault) && same(*source_, source);
-  // Facets that cannot be made stay so; a layout may come with other settings.
+  // Facets that cannot be made are not retried; a layout may succeed with other settings.
   const bool faulty = state.fault && (!state.mesh || faulty_model_ == document.paper);
   if (mesh_fits &&
       (faulty || (state.layout && state.layout->model == document.paper) || !document.paper->unfolded())) {

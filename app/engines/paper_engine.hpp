@@ -1,6 +1,6 @@
 #pragma once
 
-// PaperEngine: keeps the layout of the document's paper model, off the main thread.
+// PaperEngine: computes the layout of the document's paper model, off the main thread.
 
 #include <functional>
 #include <memory>
@@ -12,29 +12,30 @@
 
 namespace hariko {
 
-/// The facets of a paper model, or why it has none. For a worker.
+/// Facets of a paper model, or the reason why it has none.
 struct MadePaperMesh {
   std::shared_ptr<const PaperMesh> mesh;
   PaperFault fault;
 };
+/// Facets of a paper model. For a worker.
 MadePaperMesh make_paper_mesh(const Document& document, const PaperModel& paper, const CancelToken& cancel,
                               const Progress& progress = {});
 
-/// Everything here runs on the main thread but the work itself.
+/// Keeps the paper model's layout up to date. All calls from the main thread.
 class PaperEngine {
  public:
-  /// Searches run among the work on files, where they can be cancelled.
+  /// `searches`: queue on which searches run, so that they can be cancelled.
   PaperEngine(Editor& editor, BackgroundWork& searches, std::function<void()> wake);
 
-  /// Brings the editor's paper state up to the document, and begins a search that was asked for. Call each
-  /// frame. In a gesture the facets wait for its end, unless it changes the paper model itself.
+  /// Updates the editor's paper state to the document, and starts a requested search. To be called each
+  /// frame. During a gesture the facets wait for its end, unless it changes the paper model itself.
   void sync();
-  /// Takes over what workers finished. Returns how much.
+  /// Takes over finished results; returns their number.
   std::size_t publish() { return lane_.publish(); }
   bool idle() const { return lane_.idle(); }
 
  private:
-  /// What the facets were made from.
+  /// Inputs that determine the facets.
   struct Source {
     std::vector<std::shared_ptr<const Object>> objects;
     Unit unit = Unit::millimetre;
@@ -52,12 +53,12 @@ class PaperEngine {
 
   Editor& editor_;
   BackgroundWork& searches_;
-  std::optional<Source> source_;  ///< of the editor's mesh, or of its fault
-  std::optional<Source> asked_;   ///< of the mesh being made
+  std::optional<Source> source_;  ///< inputs of the editor's mesh, or of its fault
+  std::optional<Source> asked_;   ///< inputs of the mesh being made
   std::shared_ptr<const PaperModel> asked_model_, faulty_model_;
   std::uint64_t documents_ = 0;
   bool searching_ = false;
-  WorkLane lane_;  ///< last: its thread stops before the rest goes
+  WorkLane lane_;  ///< last: its thread stops before the other members are destroyed
 };
 
 }  // namespace hariko

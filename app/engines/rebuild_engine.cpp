@@ -16,14 +16,14 @@ WorkLane::Key measure_key(ObjectId id) {
   return id.value | (WorkLane::Key{1} << 32);
 }
 
-/// Whether the two need the same view: what the object is called or where it stands does not matter.
+/// Whether two objects need the same view; their names and transforms do not matter.
 bool same_view(const Object& a, const Object& b) {
   const DisplaySettings &p = a.display, &q = b.display;
   return a.source == b.source && p.map == q.map && p.density == q.density && p.ranges == q.ranges &&
          p.combs.shown == q.combs.shown && (!p.combs.shown || p.combs.density == q.combs.density);
 }
 
-/// Whether what an object is attached to lies as before, seen from the object.
+/// Whether the neighbours of an object are unchanged relative to the object.
 bool same_neighbours(const Object& a, const ObjectPointers& of_a, const Object& b,
                      const ObjectPointers& of_b) {
   const auto same = [](const auto& x, const auto& y) {
@@ -33,7 +33,7 @@ bool same_neighbours(const Object& a, const ObjectPointers& of_a, const Object& 
          (of_a.empty() || a.transform == b.transform);
 }
 
-/// Facets of reference meshes are drawn as surfaces are.
+/// Whether an object is drawn; facets of reference meshes are drawn like surfaces.
 bool is_drawn(const Object& object) {
   return has_shape(object);
 }
@@ -45,7 +45,7 @@ RebuildEngine::RebuildEngine(MakeBuilder make_builder, std::function<void()> wak
       on_published_(std::move(on_published)),
       lane_(std::move(wake)) {}
 
-/// The object as the view shows it; the same pointer as long as neither changes.
+/// Object with the view's map; the same pointer as long as neither changes.
 std::shared_ptr<const Object> RebuildEngine::with_map(Track& track,
                                                       const std::shared_ptr<const Object>& object,
                                                       const ViewMap& map) {
@@ -74,7 +74,7 @@ void RebuildEngine::sync(const Document& document, bool in_gesture, double now, 
     if (changed && paused && track.requested && !track.forced) {
       track.outdated = true;
     } else if (changed || track.forced) {
-      // The first surface of an object is final even when it appears within a gesture.
+      // The first surface of an object is final even within a gesture.
       request(track, object, std::move(neighbours),
               in_gesture && track.requested ? Quality::drag : Quality::final, now);
     } else {
@@ -103,7 +103,7 @@ void RebuildEngine::cancel_all() {
     lane_.cancel(surface_key(id));
     track.pending = false;
     track.outdated = true;
-    track.quality = Quality::final;  // no final surface follows by itself
+    track.quality = Quality::final;  // prevents an automatic final surface
   }
 }
 
@@ -129,7 +129,7 @@ void RebuildEngine::reset() {
 
 void RebuildEngine::request(Track& track, const std::shared_ptr<const Object>& object,
                             ObjectPointers neighbours, Quality quality, double now) {
-  // A drag job is short and its result worth showing; a final one that is out of date only delays the next.
+  // Drag jobs are short and their results worth showing; outdated final jobs only delay the next one.
   const auto running =
       track.quality == Quality::final ? WorkLane::Running::cancel : WorkLane::Running::finish;
   if (!track.builder) track.builder = make_builder_();
@@ -158,7 +158,7 @@ void RebuildEngine::take(ObjectId id, SurfaceView view) {
   track->second.pending = lane_.busy(surface_key(id));
   SurfaceView& shown = views_[id];
   if (view.error) {
-    // The last good surface stays, with the reason beside it.
+    // The last good surface stays, with the error beside it.
     shown.object = view.object;
     shown.error = view.error;
     shown.warnings = std::move(view.warnings);
@@ -167,8 +167,8 @@ void RebuildEngine::take(ObjectId id, SurfaceView view) {
     shown.largest_normal_jump.reset();
   } else {
     if (view.quality == Quality::drag) {
-      // Warnings are found at quality `final`; the range of a map rests during a gesture so that colours
-      // compare.
+      // Warnings are found at quality `final` only; a map's range stays fixed during a gesture, so that
+      // colours remain comparable.
       view.warnings = std::move(shown.warnings);
       if (shown.mesh && shown.surface.patch_count() > 0 && view.surface.same_adjacency(shown.surface))
         view.continuity = std::move(shown.continuity);

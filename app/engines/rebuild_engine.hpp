@@ -1,6 +1,6 @@
 #pragma once
 
-// RebuildEngine: keeps a surface for every visible polyhedron of the document, off the main thread.
+// RebuildEngine: computes the surfaces of the document's visible objects, off the main thread.
 
 #include <functional>
 #include <map>
@@ -15,22 +15,22 @@
 
 namespace hariko {
 
-/// Makes views of one object. One instance per object, called by one thread at a time: may keep what helps
-/// next time.
+/// Computes views of one object; one instance for each object, called by one thread at a time, which may
+/// cache intermediate results.
 class ViewBuilder {
  public:
   virtual ~ViewBuilder() = default;
-  /// A view of an object that has a surface or facets. `neighbours`: what it is attached to
-  /// (`neighbours_of`). A view without mesh and with `error` says why there is none.
+  /// View of an object that has a surface or facets. `neighbours`: objects that it is attached to
+  /// (`neighbours_of`). A view without mesh has an `error` with the reason.
   virtual SurfaceView build(const std::shared_ptr<const Object>& object, const ObjectPointers& neighbours,
                             Quality quality, const CancelToken& cancel) = 0;
-  /// How well the patches of a surface meet; without seams when cancelled.
+  /// Continuity between the patches of a surface; without seams where cancelled.
   virtual ContinuityReport measure(const Surface& surface, const CancelToken& cancel) = 0;
-  /// How far the part is that takes long, 0 .. 1; negative where nothing is known. For any thread.
+  /// Progress of the slow part, 0 .. 1; negative where unknown. From any thread.
   virtual double progress() const { return -1; }
 };
 
-/// Everything here runs on the main thread; the builders run on the worker.
+/// Keeps the surfaces up to date. All calls from the main thread; the builders run on the worker.
 class RebuildEngine {
  public:
   using MakeBuilder = std::function<std::unique_ptr<ViewBuilder>()>;
@@ -38,44 +38,46 @@ class RebuildEngine {
 
   RebuildEngine(MakeBuilder make_builder, std::function<void()> wake, OnPublished on_published = {});
 
-  /// Asks for what changed since the last call. In a gesture objects are rebuilt at quality `drag`; `final`
-  /// follows when the gesture ends or rests for `rest_seconds`. `now` is any steady clock in seconds.
-  /// The policy may let changes wait; the first surface of an object never does. The view's map is computed
-  /// as if it were each object's own: `SurfaceView::object` has it then.
+  /// Requests surfaces of objects that changed since the last call. During a gesture objects are rebuilt at
+  /// quality `drag`; `final` follows when the gesture ends or rests for `rest_seconds`. `now` is any steady
+  /// clock in seconds. The policy may postpone changes, but never the first surface of an object. The view's
+  /// map is computed as if it were each object's own; `SurfaceView::object` then has it.
   void sync(const Document& document, bool in_gesture, double now,
             RecomputePolicy policy = RecomputePolicy::live, const ViewMap& map = {});
   static constexpr double rest_seconds = 0.4;
 
-  /// Stops rebuilding what is on its way; the last surfaces stay, and count as outdated until the object
-  /// changes or `recompute_outdated`.
+  /// Stops all running rebuilds. The last surfaces stay and count as outdated until the object changes or
+  /// `recompute_outdated` is called.
   void cancel_all();
-  /// What is outdated is rebuilt at the next sync.
+  /// Requests rebuilding of all outdated surfaces at the next sync.
   void recompute_outdated();
 
-  /// Forgets everything: another document is opened, whose objects may have the same ids.
+  /// Forgets all objects: another document is opened, whose objects may have the same ids.
   void reset();
 
-  /// Takes over finished views. Call at the start of a frame. Returns how many there were.
+  /// Takes over finished views, at the start of a frame; returns their number.
   std::size_t publish() { return lane_.publish(); }
 
   const std::map<ObjectId, SurfaceView>& views() const { return views_; }
-  /// Whether the view shown is older than the document, and since when.
+  /// Whether the displayed view is older than the document.
   bool pending(ObjectId id) const;
+  /// Time since when the displayed view is outdated, by the clock of `sync`.
   double pending_since(ObjectId id) const;
   bool any_pending() const;
-  /// Of the rebuilding of an object: see `ViewBuilder::progress`; negative when it is not pending.
+  /// Progress of rebuilding an object, see `ViewBuilder::progress`; negative where it is not pending.
   double progress(ObjectId id) const;
   /// Objects whose surface is older than the document and not being rebuilt.
   std::set<ObjectId> outdated() const;
 
-  /// Waits for the worker; for tests and for shutting down.
+  /// Waits for the worker, for tests and for shutting down.
   void wait() { lane_.wait(); }
 
  private:
   struct Track {
     std::shared_ptr<ViewBuilder> builder;
     std::shared_ptr<const Object> requested;
-    std::shared_ptr<const Object> given, looked_at;  ///< of the document, and with the view's map
+    /// Object of the document, and the same with the view's map.
+    std::shared_ptr<const Object> given, looked_at;
     ObjectPointers neighbours;
     Quality quality = Quality::final;
     double requested_at = 0, stale_since = 0;
@@ -92,7 +94,7 @@ class RebuildEngine {
   OnPublished on_published_;
   std::map<ObjectId, Track> tracks_;
   std::map<ObjectId, SurfaceView> views_;
-  WorkLane lane_;  ///< last: its thread stops before what its publications touch goes
+  WorkLane lane_;  ///< last: its thread stops before the members that its publications use are destroyed
 };
 
 }  // namespace hariko

@@ -11,7 +11,7 @@ namespace hariko {
 
 namespace {
 
-/// A picture that is there, or why not; without one where only that was asked.
+/// Decoded picture, or the reason why there is none; without `decode` only its existence is checked.
 ReferenceView read_reference(const std::string& path, const Shared<std::string>& packed, bool decode,
                              const CancelToken& cancel) {
   ReferenceView view;
@@ -73,7 +73,7 @@ void ReferenceLoader::sync() {
     for (const auto& [key, entry] : entries_) lane_.cancel(entry.job);
     entries_.clear();
   }
-  std::map<Key, bool> wanted;  // and whether it shows
+  std::map<Key, bool> wanted;  // and whether it is shown
   const auto& objects = editor_.document().objects;
   for (const auto& object : objects) {
     const PictureSource* source = editor_.has_document ? object->picture() : nullptr;

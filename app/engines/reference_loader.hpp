@@ -1,6 +1,6 @@
 #pragma once
 
-// ReferenceLoader: decodes the reference pictures that show, off the main thread, and forgets the others.
+// ReferenceLoader: decodes the displayed reference pictures, off the main thread, and frees the others.
 
 #include <functional>
 #include <map>
@@ -13,27 +13,27 @@
 
 namespace hariko {
 
-/// For the main thread.
+/// Loader of reference pictures. For the main thread.
 class ReferenceLoader {
  public:
   ReferenceLoader(Editor& editor, std::function<void()> wake);
 
-  /// Asks for what the document shows and has not yet, and lets go of what it shows no more. Hidden pictures
-  /// cost no memory; of their files it is found out once whether they are there. When all is known, files
-  /// that are missing are told once.
+  /// Requests pictures that the document shows and that are not decoded, and frees pictures that it no longer
+  /// shows. Hidden pictures use no memory; only the existence of their files is checked once. When everything
+  /// is known, missing files are reported once.
   void sync();
   std::size_t publish() { return lane_.publish(); }
   bool idle() const { return lane_.idle(); }
   void wait() { lane_.wait(); }
 
  private:
-  /// A file, or bytes of the document by their address.
+  /// File path, or address of packed bytes.
   using Key = std::pair<std::string, const std::string*>;
   struct Entry {
     ReferenceView view;
-    Shared<std::string> bytes;  ///< keeps the address its own
+    Shared<std::string> bytes;  ///< keeps the address unique
     WorkLane::Key job = 0;      ///< 0: none yet
-    bool shown = false;         ///< decoded, or to be
+    bool shown = false;         ///< decoded, or being decoded
     bool told = false;
   };
   static Key key_of(const PictureSource& source);
@@ -45,7 +45,7 @@ class ReferenceLoader {
   std::map<Key, Entry> entries_;
   std::uint64_t document_ = 0;  ///< Editor::documents at the last `sync`
   WorkLane::Key next_ = 1;
-  WorkLane lane_;  ///< last: its thread stops before the rest goes
+  WorkLane lane_;  ///< last: its thread stops before the other members are destroyed
 };
 
 }  // namespace hariko

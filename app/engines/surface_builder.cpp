@@ -18,7 +18,7 @@ namespace {
 constexpr Code e_rebuild_failed{"E_REBUILD_FAILED"};
 constexpr int histogram_bins = 48;
 
-/// Reference meshes have no curvature to show.
+/// Map that is shown for an object: reference meshes have no curvature.
 SurfaceMap shown_map(const Object& object) {
   const SurfaceMap map = object.display.map;
   return object.mesh() && has_values(map) ? SurfaceMap::shaded : map;
@@ -28,8 +28,7 @@ bool same_shape(const Object& a, const Object& b) {
   return a.source == b.source;
 }
 
-/// What the shape of the designer's faces does to the surface: named before the surface's own warnings, which
-/// follow from it.
+/// Prepends warnings about the shape of the designer's faces to the surface's own, which follow from them.
 void add_face_shapes(const PolyhedronSource& source, std::vector<Message>& warnings) {
   std::vector<Message> all = face_shape_warnings_of(source.polyhedron);
   if (source.preparation.split_concave)
@@ -40,8 +39,8 @@ void add_face_shapes(const PolyhedronSource& source, std::vector<Message>& warni
   warnings = std::move(all);
 }
 
-/// The density asked for; more on small models, whose outlines would show corners, and less where the whole
-/// would exceed what a screen can use.
+/// Display density: as requested; higher on small models, whose outlines would show corners, and lower where
+/// the whole would exceed what a screen can use.
 int density_of(const Object& object, const Surface& surface) {
   if (object.mesh()) return 1;
   constexpr double smooth_budget = 30'000, largest_budget = 2'000'000;  // triangles
@@ -103,7 +102,7 @@ SurfaceView SurfaceBuilder::build(const std::shared_ptr<const Object>& object,
     view.warnings = last_.warnings;
     view.sticks_out = last_.sticks_out;
   } catch (const std::exception& failure) {
-    // Out of memory, mostly: the document is untouched and the object says so.
+    // Mostly out of memory: the document is untouched, and the object shows the error.
     made_from_.reset();
     base_mesh_.reset();
     view = SurfaceView{};
@@ -132,7 +131,7 @@ Result<PolyhedronSurface> SurfaceBuilder::surface_of(const Object& object, const
   return made;
 }
 
-/// During a drag the range rests, so that colours compare.
+/// Sets the map's range. During a drag it stays fixed, so that colours remain comparable.
 void SurfaceBuilder::take_range(const Object& object, SurfaceView& view) {
   const SurfaceMap map = object.display.map;
   const MapRange& settings = range_of(object.display, map);

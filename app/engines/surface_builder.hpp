@@ -1,6 +1,6 @@
 #pragma once
 
-// SurfaceBuilder: from an object to its surface and what the screen needs of it.
+// SurfaceBuilder: surface of an object with the data that its display needs.
 
 #include <memory>
 
@@ -9,6 +9,7 @@
 
 namespace hariko {
 
+/// Builds the views of one object and caches what the next one can reuse.
 class SurfaceBuilder final : public ViewBuilder {
  public:
   SurfaceView build(const std::shared_ptr<const Object>& object, const ObjectPointers& neighbours,
@@ -23,13 +24,13 @@ class SurfaceBuilder final : public ViewBuilder {
   void take_range(const Object& object, SurfaceView& view);
 
   ObjectSurfacer surfacer_;
-  std::shared_ptr<const Object> made_from_;  ///< what last_ was made from
-  ObjectPointers made_beside_;               ///< and its neighbours then
+  std::shared_ptr<const Object> made_from_;  ///< object from which last_ was made
+  ObjectPointers made_beside_;               ///< its neighbours then
   PolyhedronSurface last_;
   Quality last_quality_ = Quality::drag;
-  std::shared_ptr<const DisplayMesh> base_mesh_;  ///< of the whole surface with revision base_revision_
+  std::shared_ptr<const DisplayMesh> base_mesh_;  ///< mesh of the whole surface, for revision base_revision_
   std::uint64_t base_revision_ = 0, facet_revision_ = 0;
-  std::shared_ptr<const CombLines> combs_;  ///< of last_
+  std::shared_ptr<const CombLines> combs_;  ///< combs of last_
   SurfaceMap map_ = SurfaceMap::shaded;
   MapRange range_settings_;
   ValueRange range_;

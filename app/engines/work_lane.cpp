@@ -42,7 +42,7 @@ void WorkLane::cancel(Key key) {
 }
 
 std::size_t WorkLane::publish() {
-  // One at a time and without the lock: a publication may submit or cancel, also what would come next here.
+  // One at a time and without the lock: a publication may submit or cancel jobs, also the next one here.
   std::size_t count = 0;
   std::unique_lock lock(mutex_);
   while (!finished_.empty()) {
@@ -85,13 +85,13 @@ void WorkLane::work() {
     running_ = {next.key, next.token};
     lock.unlock();
     Publication publication = next.job(next.token);
-    next.job = {};  // what it captured dies here, not under the lock
+    next.job = {};  // destroys its captures without holding the lock
     lock.lock();
     running_.reset();
     const bool keep = publication && !next.token.cancelled();
     if (keep) finished_.push_back({next.key, std::move(publication)});
     changed_.notify_all();
-    // After cancelled work, too, when no other comes: whoever waits for rest learns that it is over.
+    // Also after cancelled work, if no other follows: whoever waits for the idle state must learn of it.
     if ((keep || waiting_.empty()) && wake_) {
       lock.unlock();
       wake_();

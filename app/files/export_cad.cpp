@@ -18,9 +18,9 @@ namespace hariko {
 
 namespace {
 
-/// What making the surfaces and their faces takes of the whole, about.
+/// Fraction of the time for making the surfaces and their faces, roughly.
 constexpr double modelling = 0.7;
-/// Places a side of each rectangle between knots where distances are measured.
+/// Number of sampled places along a side of each rectangle between knots, for measured distances.
 constexpr int samples = 4;
 
 CadUnit cad_unit(Unit unit) {
@@ -36,7 +36,7 @@ CadUnit cad_unit(Unit unit) {
   }
 }
 
-/// From object space to the file's, in millimetres.
+/// Moves a model from object space to the file's, in millimetres.
 void place(CadModel& model, const Similarity& transform, double factor) {
   const auto move = [&](Vector3& p) { p = factor * transform.apply_to_vector(p); };
   model.origin = factor * transform.apply(model.origin);
@@ -50,7 +50,7 @@ void place(CadModel& model, const Similarity& transform, double factor) {
     for (Vector3& p : face.surface.points) move(p);
 }
 
-/// For an object that is `scale` times as large in the file.
+/// Options for an object that is `scale` times as large in the file.
 CadModelOptions options_of(const CadChoices& choices, double scale, double unit) {
   const CadGrade grade = grade_of(choices.quality);
   CadModelOptions out;
@@ -109,7 +109,8 @@ Result<MadeObject> make_object(const Document& document, const Object& object, c
   return out;
 }
 
-/// Half of the last of the eleven digits that the kernel writes into IGES, of the largest coordinate, mm.
+/// Rounding of the largest coordinate, in mm: half of the last of the eleven digits that the kernel writes
+/// into IGES.
 double iges_rounding(const CadModel& model, Unit unit) {
   double largest = 0;
   for (const CadFace& face : model.faces)
@@ -120,7 +121,7 @@ double iges_rounding(const CadModel& model, Unit unit) {
   return 0.5 * std::pow(10, std::floor(std::log10(largest / millimetres)) - 10) * millimetres;
 }
 
-/// E_FILE_DIGITS where points in the file would be farther off than faces may be.
+/// E_FILE_DIGITS where rounding in the file would exceed the allowed distance of faces.
 std::optional<Message> check_iges_digits(const MadeObject& made, const Document& document,
                                          const CadChoices& choices) {
   const double rounding = iges_rounding(made.model, choices.unit);
@@ -134,7 +135,7 @@ std::optional<Message> check_iges_digits(const MadeObject& made, const Document&
                     "Move the model to zero, write STEP, or choose a larger tolerance.");
 }
 
-/// All that is visible; at least one.
+/// Models of all visible objects; at least one.
 Result<std::vector<MadeObject>> make_objects(const Document& document, const CadChoices& choices,
                                              const CancelToken& cancel, const Progress& progress) {
   std::vector<MadeObject> made;

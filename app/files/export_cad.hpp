@@ -1,6 +1,6 @@
 #pragma once
 
-// Writing the surfaces of a document as STEP or IGES.
+// Export of a document's surfaces as STEP or IGES.
 
 #include <filesystem>
 #include <span>
@@ -20,21 +20,23 @@ inline constexpr Code w_cad_angle{"W_CAD_ANGLE"};
 inline constexpr Code w_cad_invalid{"W_CAD_INVALID"};
 inline constexpr Code w_cad_names{"W_CAD_NAMES"};
 
-/// One object as it was written; lengths are the document's, after `scale`.
+/// Report on one exported object; lengths are the document's, after `scale`.
 struct CadObjectReport {
   std::string name;
   std::size_t faces = 0, exact = 0, edges = 0, control_points = 0;
-  std::string_view not_exact;  ///< why some faces are not, where that was asked for
+  std::string_view not_exact;  ///< reason why some faces are not exact, where exact ones were requested
   bool closed = false;
-  double distance = 0;        ///< largest measured between the surface and its faces
-  double tolerance = 0;       ///< that was asked for
-  double angle = 0;           ///< that was asked for, radians
-  double normal_jump = 0;     ///< largest across smooth edges, radians
-  bool curvature = false;     ///< the model is meant to have continuous curvature
-  double curvature_jump = 0;  ///< then the largest across the same edges, relative to the curvature there
+  double distance = 0;     ///< largest measured distance between the surface and its faces
+  double tolerance = 0;    ///< requested tolerance
+  double angle = 0;        ///< requested angle, radians
+  double normal_jump = 0;  ///< largest across smooth edges, radians
+  bool curvature = false;  ///< the model is meant to have continuous curvature
+  /// Largest across the same edges, relative to the curvature there; only with `curvature`.
+  double curvature_jump = 0;
   std::size_t unreached = 0;  ///< faces that do not keep the tolerance
 };
 
+/// Report on an export.
 struct CadExportReport {
   std::vector<CadObjectReport> objects;
   CadFileReport file;  ///< lengths in millimetres
@@ -43,24 +45,24 @@ struct CadExportReport {
 
 /// Writes the surfaces of all visible objects, at quality `final`, atomically. `time` goes into the file's
 /// header. Errors: those of rebuilding (with the object's name) and of writing, E_NO_SURFACE, E_FILE_DIGITS,
-/// E_NO_CAD_KERNEL, E_CAD_KERNEL, E_FORMAT_UNKNOWN, E_CANCELLED; the file is as it was then.
+/// E_NO_CAD_KERNEL, E_CAD_KERNEL, E_FORMAT_UNKNOWN, E_CANCELLED; the file is then unchanged.
 Result<CadExportReport> export_cad(const Document& document, const std::filesystem::path& path,
                                    const CadChoices& settings, const std::string& time,
                                    const CancelToken& cancel = {}, const Progress& progress = {});
 
-/// Of all objects together; lengths are the document's, after `scale`.
+/// Totals over all objects; lengths are the document's, after `scale`.
 CadTotals totals(std::span<const CadObjectReport> objects);
 
-/// What `export_cad` would write, of all objects together, without OpenCASCADE. Takes nearly as long. Errors:
-/// those of rebuilding, E_NO_SURFACE, E_CANCELLED.
+/// Totals of what `export_cad` would write, without OpenCASCADE. Takes nearly as long. Errors: those of
+/// rebuilding, E_NO_SURFACE, E_CANCELLED.
 Result<CadTotals> count_cad(const Document& document, const CadChoices& choices,
                             const CancelToken& cancel = {});
 
-/// W_CAD_TOLERANCE for objects with faces that do not keep it, and W_CAD_ANGLE likewise; W_CAD_INVALID where
-/// the kernel objects; W_CAD_NAMES where names lost letters.
+/// Warnings of an export: W_CAD_TOLERANCE and W_CAD_ANGLE for objects with faces that do not keep the
+/// tolerance or the angle; W_CAD_INVALID where the kernel finds faults; W_CAD_NAMES where names lost letters.
 std::vector<Message> warnings_of(const CadExportReport& report);
 
-/// The local time as headers want it: 2026-11-22T12:00:00.
+/// Local time in the form of file headers: 2026-11-22T12:00:00.
 std::string header_time();
 
 }  // namespace hariko

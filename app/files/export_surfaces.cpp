@@ -20,7 +20,7 @@ Message beyond_limit() {
                     "Choose a smaller density, or export fewer objects.");
 }
 
-/// The surface of an object, which has one.
+/// Triangles of an object that has a surface.
 Result<TriangleMesh> tessellated(const Document& document, const Object& object, int density,
                                  std::size_t& triangles, const CancelToken& cancel,
                                  const Progress& progress) {
@@ -94,7 +94,7 @@ Result<std::vector<NamedMesh>> density_meshes(const Document& document, int dens
 Result<WrittenMeshes> export_surfaces(const Document& document, const std::filesystem::path& path,
                                       int density, const FileChoices& choices, const CancelToken& cancel,
                                       const Progress& progress) {
-  // Writing takes about a fourth of the time, solving more than cutting into triangles.
+  // Writing takes about a fourth of the time; of the rest solving takes more than tessellation.
   constexpr double writing = 0.75;
   const auto meshes = density_meshes(document, density, cancel, progress.part(0, writing));
   if (!meshes.ok()) return meshes.error();

@@ -1,6 +1,6 @@
 #pragma once
 
-// Writing the surfaces of a document as triangles.
+// Export of a document's surfaces as triangles.
 
 #include <filesystem>
 #include <string>
@@ -17,28 +17,30 @@ namespace hariko {
 inline constexpr Code e_no_surface{"E_NO_SURFACE"};
 inline constexpr Code e_too_many_triangles{"E_TOO_MANY_TRIANGLES"};
 
-/// How the document's numbers stand in a file of these choices.
+/// Options for writing a document with these choices.
 WriteOptions write_options(const Document& document, const FileChoices& choices = {},
                            const CancelToken& cancel = {});
+/// Colour of an object in files.
 MeshColour colour_of(const Object& object);
 
-/// A mesh from object space to the document's.
+/// Moves a mesh from object space to the document's.
 void place(TriangleMesh& mesh, const Similarity& transform);
 
+/// Mesh of one object.
 struct NamedMesh {
   std::string name;
   TriangleMesh mesh;  ///< in the document's space
   MeshColour colour;
 };
 
-/// All visible objects: surfaces at quality `final`, each patch side in `density` intervals, and reference
-/// facets as they are. Errors: those of rebuilding (with the object's name); E_NO_SURFACE when there is none;
-/// E_TOO_MANY_TRIANGLES above 20 million, about 2 GB of memory; E_CANCELLED.
+/// Triangles of all visible objects: surfaces at quality `final`, with `density` intervals along each patch
+/// side, and reference facets unchanged. Errors: those of rebuilding (with the object's name); E_NO_SURFACE
+/// where there is none; E_TOO_MANY_TRIANGLES above 20 million, about 2 GB of memory; E_CANCELLED.
 Result<std::vector<NamedMesh>> density_meshes(const Document& document, int density,
                                               const CancelToken& cancel = {}, const Progress& progress = {});
 
-/// Writes them in the format that the ending names. Errors: those of `density_meshes` and of writing;
-/// E_CANCELLED, and the file is as it was. Warnings: also those of `left_out_of_triangles`.
+/// Writes the triangles in the format of the ending. Errors: those of `density_meshes` and of writing;
+/// E_CANCELLED. After an error the file is unchanged. Warnings include those of `left_out_of_triangles`.
 Result<WrittenMeshes> export_surfaces(const Document& document, const std::filesystem::path& path,
                                       int density, const FileChoices& choices = {},
                                       const CancelToken& cancel = {}, const Progress& progress = {});

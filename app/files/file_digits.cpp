@@ -7,7 +7,7 @@ namespace hariko {
 
 namespace {
 
-/// Surfaces may reach beyond what they are made from.
+/// Enlarged box, as surfaces may extend beyond their sources.
 Eigen::AlignedBox3d enlarged(const Eigen::AlignedBox3d& box) {
   const Vector3 more = Vector3::Constant(box.diagonal().norm());
   return {box.min() - more, box.max() + more};

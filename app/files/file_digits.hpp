@@ -1,6 +1,6 @@
 #pragma once
 
-// The share of a promised tolerance that the digits of a file take.
+// Effect of a file's number of digits on promised tolerances.
 
 #include <Eigen/Geometry>
 #include <filesystem>
@@ -11,10 +11,10 @@
 
 namespace hariko {
 
-/// The farthest that the digits of a file move points of a box of the document; empty: they do not.
+/// Largest displacement of points in a box of the document by a file's rounding; empty where there is none.
 using FileDigits = std::function<double(const Eigen::AlignedBox3d&)>;
 
-/// For a file of this name and these options that gets all that is visible.
+/// Rounding of a file of this name and these options that gets all visible objects.
 FileDigits file_digits(const Document& document, const std::filesystem::path& path,
                        const WriteOptions& options);
 

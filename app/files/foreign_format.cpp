@@ -18,7 +18,7 @@ constexpr const char* export_cad = "Export it as STEP where it was made.";
 struct ForeignFormat {
   const char* what;
   const char* remedy;
-  std::string_view endings;  ///< with spaces between them
+  std::string_view endings;  ///< separated by spaces
 };
 constexpr std::array foreign_formats{
     ForeignFormat{"a USD scene", export_mesh, ".usd .usda .usdc .usdz"},
@@ -36,7 +36,7 @@ constexpr std::array foreign_formats{
     ForeignFormat{"a drawing", export_cad, ".dwg .dxf"},
 };
 
-/// Null where the ending is none of them.
+/// Format with the file's ending; null where there is none.
 const ForeignFormat* found(const std::filesystem::path& file) {
   const std::string ending = lower_ending(file);
   if (ending.empty()) return nullptr;

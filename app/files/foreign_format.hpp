@@ -1,6 +1,6 @@
 #pragma once
 
-// Files of other programs that are not read: which they are, and what to export instead.
+// File formats of other programs that are not supported, with advice on what to export instead.
 
 #include <filesystem>
 
@@ -8,9 +8,9 @@
 
 namespace hariko {
 
-/// The ending is that of a format of other programs that is not read.
+/// Whether the ending is that of an unsupported format of another program.
 bool has_foreign_ending(const std::filesystem::path& file);
-/// E_FORMAT_UNKNOWN, told by the ending of the name.
+/// E_FORMAT_UNKNOWN with advice, by the ending of the name.
 Message foreign_format(const std::filesystem::path& file);
 
 }  // namespace hariko

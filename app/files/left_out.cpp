@@ -20,7 +20,7 @@ bool is_no_skin(const Object& object) {
 
 using Test = bool (*)(const Object&);
 
-/// How many visible objects pass the test, and the names of the first.
+/// Number of visible objects that pass a test, and the names of the first.
 struct Named {
   std::size_t count = 0;
   std::string names;

@@ -1,6 +1,6 @@
 #pragma once
 
-// Visible objects that cannot go into a file or a picture: said and counted, never left out in silence.
+// Warnings about visible objects that cannot go into a file or a picture, so that none is omitted silently.
 
 #include <vector>
 
@@ -10,17 +10,17 @@ namespace hariko {
 
 inline constexpr Code w_not_written{"W_NOT_WRITTEN"};
 
-/// One warning W_NOT_WRITTEN each, which counts and names objects, or none. Of triangles and pictures:
-/// objects of kinds that this version does not know.
+/// Warnings for triangle files and pictures about objects of kinds that this version does not know. Each
+/// W_NOT_WRITTEN counts and names the objects of one kind; none where all are written.
 std::vector<Message> left_out_of_triangles(const Document& document);
 
-/// For STEP and IGES: also reference facets, which are no smooth faces.
+/// Warnings for STEP and IGES; these also omit reference facets, which are no smooth faces.
 std::vector<Message> left_out_of_cad(const Document& document);
 
-/// For control meshes: all but skins.
+/// Warnings for control meshes, which only skins have.
 std::vector<Message> left_out_of_control_meshes(const Document& document);
 
-/// The visible objects of reference facets, which no CAD file holds.
+/// Number of visible objects of reference facets, which no CAD file holds.
 std::size_t visible_reference_objects(const Document& document);
 
 }  // namespace hariko

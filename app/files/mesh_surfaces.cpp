@@ -13,25 +13,25 @@ namespace hariko {
 
 namespace {
 
-/// Lengths from the document's space to the object's.
+/// Options with lengths converted from the document's space to the object's.
 MeshOptions in_object_space(MeshOptions options, double scale) {
   for (std::optional<double>* length : {&options.criteria.distance, &options.criteria.max_edge})
     if (*length) **length /= scale;
   return options;
 }
 
-/// The part of a promised distance that is left for the digits of the file: all where facets stay as they
-/// are.
+/// Part of a promised distance that is reserved for the file's rounding: all of it where facets stay
+/// unchanged.
 std::optional<double> share_of_digits(const Object& object, const MeshRequest& request) {
   const std::optional<double>& distance = request.options.criteria.distance;
   if (!distance || (object.mesh() && !request.decimate)) return distance;
   return request.digits ? std::min(request.digits(world_box(object)), 0.5 * *distance) : 0.0;
 }
 
-/// Part of a promised angle that is kept for the digits of the file.
+/// Fraction of a promised angle that is reserved for the file's rounding.
 constexpr double share_of_turns = 0.01;
 
-/// The part of promised angles that the mesh leaves to the digits of the file. A fold turns with both facets.
+/// Part of promised angles that the mesh leaves for the file's rounding. A fold rotates with both facets.
 std::optional<double> left_for_turns(const MeshCriteria& promised, const MeshApproximation& made) {
   std::optional<double> out;
   const auto leave = [&](const std::optional<double>& angle, const CriterionErrors& errors, double facets) {
@@ -59,7 +59,7 @@ void place(MeshErrorMap& map, const Similarity& transform) {
   scale(map.mesh_distance, transform.scale);
 }
 
-/// From object space to the document's.
+/// Moves a mesh from object space to the document's.
 void place(MeshedObject& object, const Similarity& transform) {
   if (transform == Similarity{}) return;
   object.surface_origin = transform.apply(object.surface_origin);
@@ -78,7 +78,7 @@ Message named(Message error, const std::string& name) {
   return error;
 }
 
-/// The mesh of one surface, in its own space.
+/// Mesh of one surface, in its own space.
 Result<MeshedObject> mesh_of(const Surface& surface, const std::string& name, const MeshRequest& request,
                              const CancelToken& cancel, const Progress& progress) {
   const double meshing = request.errors ? 0.7 : 1;
@@ -93,7 +93,7 @@ Result<MeshedObject> mesh_of(const Surface& surface, const std::string& name, co
   return out;
 }
 
-/// A reference mesh with fewer facets, in its own space; its facets are the surface.
+/// Reference mesh with fewer facets, in its own space; deviations are measured from the original facets.
 Result<MeshedObject> decimated(const MeshSource& source, const std::string& name, const MeshRequest& request,
                                const CancelToken& cancel, const Progress& progress) {
   auto made =
@@ -107,7 +107,7 @@ Result<MeshedObject> decimated(const MeshSource& source, const std::string& name
   return out;
 }
 
-/// Reference facets are what they are: nothing is off.
+/// Unchanged reference facets, without deviation.
 MeshedObject as_it_is(const MeshSource& source, const std::string& name) {
   MeshedObject out{name, {}, {}, source.origin};
   out.result.mesh = triangles_of(source);
@@ -116,7 +116,7 @@ MeshedObject as_it_is(const MeshSource& source, const std::string& name) {
   return out;
 }
 
-/// In the object's own space.
+/// Mesh of an object, in its own space.
 Result<MeshedObject> mesh_object(const Document& document, const Object& object, const MeshRequest& request,
                                  const CancelToken& cancel, const Progress& progress) {
   if (const MeshSource* facets = object.mesh())

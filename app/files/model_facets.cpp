@@ -25,7 +25,7 @@ Message too_many() {
                     "Choose a larger distance.");
 }
 
-/// Adds polygons, moved into the document's space, as further components.
+/// Appends polygons, moved into the document's space, as further components.
 void append(ModelFacets& out, const PolygonMesh& mesh, const Vector3& origin, const Similarity& transform,
             std::vector<PaperVertex> names) {
   const auto first = static_cast<Index>(out.mesh.positions.size());
@@ -46,7 +46,7 @@ std::vector<PaperVertex> numbered(ObjectId object, std::size_t count) {
   return names;
 }
 
-/// The side of each patch as `PaperVertex` has it: patches of one element and side are told apart.
+/// Side number of each patch for `PaperVertex`: patches of the same element and side get different ones.
 std::vector<std::uint32_t> patch_sides(const Surface& surface) {
   std::vector<std::uint32_t> out;
   std::map<std::pair<std::uint64_t, std::uint32_t>, std::uint32_t> seen;
@@ -55,7 +55,7 @@ std::vector<std::uint32_t> patch_sides(const Surface& surface) {
   return out;
 }
 
-/// Where a vertex lies on the patches, by the least of its names.
+/// Names of vertices by their places on the patches; the least one of several.
 std::vector<PaperVertex> names_on(const Surface& surface, const MeshApproximation& made, ObjectId object) {
   const std::vector<std::uint32_t> sides = patch_sides(surface);
   std::vector<PaperVertex> out(made.mesh.positions.size());
@@ -72,7 +72,7 @@ std::vector<PaperVertex> names_on(const Surface& surface, const MeshApproximatio
   return out;
 }
 
-/// Meshes of which every face has corners of its own hang together where these are equal.
+/// Appends a reference mesh; in meshes whose faces have separate corners equal corners are joined.
 void append_mesh(ModelFacets& out, const Object& object, const MeshSource& source) {
   PolygonMesh mesh = *source.mesh;
   join_equal_corners(mesh);
@@ -120,7 +120,7 @@ Result<Done> append_surface(ModelFacets& out, const Document& document, const Ob
   return Done{};
 }
 
-/// Repairs what cannot be unfolded, or says that it can be repaired.
+/// Repairs parts that cannot be unfolded, or warns that they can be repaired.
 void repair_parts(std::vector<ImportedPart>& parts, bool repair, std::vector<Message>& warnings) {
   RepairReport done;
   bool faulty = false, helps = true;
@@ -141,7 +141,7 @@ void repair_parts(std::vector<ImportedPart>& parts, bool repair, std::vector<Mes
         w_can_be_opened, "The mesh can be unfolded: --repair mends it (" + repair_text(done) + ")."));
 }
 
-/// The polygons of a mesh file.
+/// Facets from the polygons of a mesh file.
 ModelFacets polygons_of_file(ImportedScene scene, const Reading& reading) {
   ModelFacets out;
   out.warnings = std::move(scene.warnings);
@@ -196,7 +196,7 @@ Result<ModelFacets> model_facets(const std::filesystem::path& file, const FacetO
     auto scene = read_scene_file(file, {.cancel = cancel, .progress = {}});
     if (!scene.ok()) return scene.error();
     if (scene->patches.empty()) return polygons_of_file(std::move(scene).value(), reading);
-    meshing.of_polyhedra = true;  // polygons beside patches stay as they are
+    meshing.of_polyhedra = true;  // polygons beside patches stay unchanged
   }
   OpenedFile opened = open_file(file, cancel, {}, reading.join);
   const bool repairs = !opened.document && reading.repair && opened.repaired;

@@ -13,7 +13,6 @@ DisplaySettings display_of(const CadPart& part) {
   return out;
 }
 
-/// Adds one object.
 Result<Document> with_object(const Document& document, const std::string& name, Source source,
                              const DisplaySettings& display, bool visible = true) {
   auto added = add_object(document, name, std::move(source), {}, display);
@@ -29,8 +28,8 @@ Result<Document> with_patches(const Document& document, std::vector<BezierPatch>
   return with_object(document, name, std::move(source).value(), display, visible);
 }
 
-/// Adds what a part consists of: patches, facets, and the exact patches of spline faces that are facets,
-/// which are hidden as the same shape is there already.
+/// Adds the objects of a part: patches, facets, and the exact patches of triangulated spline faces, which are
+/// hidden as the facets show the same shape.
 Result<Document> with_part(Document document, CadPart part, const std::string& name) {
   const DisplaySettings display = display_of(part);
   const bool both = !part.patches.empty() && part.mesh.face_count() > 0;

@@ -1,6 +1,6 @@
 #pragma once
 
-// STEP and IGES files as documents.
+// Opening of STEP and IGES files as documents.
 
 #include <filesystem>
 
@@ -10,15 +10,16 @@
 
 namespace hariko {
 
+/// Document of a CAD file.
 struct OpenedCad {
   Document document;  ///< in millimetres
   std::vector<Message> warnings;
 };
 
-/// Each part of the file becomes an object of Bezier patches, exactly, and a reference mesh of the faces that
-/// are no whole splines, or hang together with such; in that case a hidden object has the patches. With the
-/// file's names and colours, and `name` where it gives none. The ending is one of STEP or IGES (asserted).
-/// Errors: those of `read_cad_file` and of the sources.
+/// Opens a CAD file; its ending is one of STEP or IGES (asserted). Each part becomes an object of exact
+/// Bezier patches, and a reference mesh of the faces that are not whole splines or are connected to such
+/// faces; in the latter case a hidden object has their patches. Objects get the file's names and colours, and
+/// `name` where it gives none. Errors: those of `read_cad_file` and of the sources.
 Result<OpenedCad> open_cad(const std::filesystem::path& file, const std::string& name,
                            const CancelToken& cancel = {}, const Progress& progress = {});
 

@@ -37,8 +37,8 @@ Result<PolyhedronSource> imported(const PolygonMesh& mesh) {
   return as_new(*std::move(source));
 }
 
-/// A patch whose control points can be edited, where it is alone and does not close on itself; else all of
-/// them as one surface.
+/// Source with editable control points for a single patch that does not close on itself; otherwise one
+/// surface of all patches.
 Result<Source> source_of(const std::vector<BezierPatch>& patches) {
   if (patches.size() == 1 && is_editable(patches[0])) {
     const auto alone = weld_patches(Vector3::Zero(), patches);
@@ -52,8 +52,7 @@ Result<Source> source_of(const std::vector<BezierPatch>& patches) {
   return welded.ok() ? Result<Source>(std::move(welded).value()) : welded.error();
 }
 
-/// The objects of a mesh file, each as it came, repaired, and as reference facets where it makes no
-/// polyhedron.
+/// Objects of a mesh file: as they are, repaired, and as reference facets where one makes no polyhedron.
 class MeshObjects {
  public:
   explicit MeshObjects(OpenedFile& opened) : opened_(opened) {}
@@ -84,7 +83,7 @@ class MeshObjects {
     for (auto* document : {&whole_, &repaired_, &reference_}) put(*document, name, source);
   }
 
-  /// `metres_per_unit` is nothing where the file does not say it.
+  /// Completes the documents. `metres_per_unit`: nothing where the file does not give it.
   void finish(const std::optional<double>& metres_per_unit) {
     opened_.says_unit = metres_per_unit.has_value();
     for (const Unit unit : {Unit::millimetre, Unit::centimetre, Unit::metre, Unit::inch})
@@ -99,14 +98,14 @@ class MeshObjects {
   }
 
  private:
-  /// The part made a polyhedron: its vertices have their numbers as ids.
+  /// Creases and corners of a part that made a polyhedron: its vertices have their numbers as ids.
   static Shaping shaping_of(const ImportedPart& part, const Polyhedron& polyhedron) {
     std::set<EdgeId> creases;
     for (const auto& [a, b] : part.creases)
       if (const EdgeId edge = EdgeId::of(VertexId{a}, VertexId{b}); polyhedron.find(edge) != no_index)
         creases.insert(edge);
     const std::set<Index> corners(part.corners.begin(), part.corners.end());
-    Shaping out;  // ascending: quick
+    Shaping out;  // in ascending order, which is fast
     for (const EdgeId edge : creases) out.crease.set(edge, true);
     for (const Index v : corners)
       if (polyhedron.find(VertexId{v}) != no_index) out.tag.set(VertexId{v}, VertexTag::corner);
@@ -123,7 +122,7 @@ class MeshObjects {
       document.reset();
   }
 
-  /// The first error stopped the conversion; the designer wants to know all of them.
+  /// Adds all errors of a mesh: the conversion stops at the first one, but the designer needs all.
   void note_errors(const PolygonMesh& mesh, const Message& first, const std::string& start) {
     const std::size_t before = opened_.messages.size();
     for (Message& message : validate(mesh))
@@ -137,7 +136,7 @@ class MeshObjects {
 
   OpenedFile& opened_;
   std::optional<Document> whole_{Document{}};     ///< while every mesh makes a polyhedron
-  std::optional<Document> repaired_, reference_;  ///< afterwards, as long as they can be made
+  std::optional<Document> repaired_, reference_;  ///< used afterwards, as long as they can be made
 };
 
 void open_mesh(const std::filesystem::path& file, const CancelToken& cancel, const Progress& progress,
@@ -170,7 +169,7 @@ void open_mesh(const std::filesystem::path& file, const CancelToken& cancel, con
   objects.finish(scene.metres_per_unit);
 }
 
-/// What a layout of its own becomes: solids, sections or outlines.
+/// Source of a JSON file of another layout: solids, sections or outlines.
 Result<Source> read_layout(JsonKind kind, std::string_view text) {
   if (kind == JsonKind::scene) {
     auto input = read_scene(text);
@@ -202,7 +201,7 @@ void open_layout(const std::filesystem::path& file, JsonKind kind, OpenedFile& o
     opened.messages.push_back(made.error());
 }
 
-/// What was read of a file that the user does not want any more.
+/// Result for a cancelled import.
 OpenedFile cancelled_file() {
   OpenedFile opened;
   opened.messages.push_back(make_error(e_cancelled, "The import was cancelled."));
@@ -213,7 +212,7 @@ bool has_ending(const std::filesystem::path& file, std::string_view ending) {
   return lower_ending(file) == ending;
 }
 
-/// One object for each name.
+/// Opens a patch file, one object for each name.
 void open_patches(const std::filesystem::path& file, OpenedFile& opened) {
   const auto take = [&](const auto& result) {
     if (!result.ok()) opened.messages.push_back(result.error());
@@ -243,7 +242,7 @@ void take(Result<OpenedCad> cad, OpenedFile& opened) {
   opened.says_unit = true;
 }
 
-/// Kinds of files whose ending says nothing, by their first bytes.
+/// Kinds of files with an unknown ending, by their first bytes.
 enum class Looks { document, mesh, foreign };
 
 Result<Looks> looks_of(const std::filesystem::path& file) {
@@ -255,7 +254,8 @@ Result<Looks> looks_of(const std::filesystem::path& file) {
   return format_of_content(*bytes) ? Looks::mesh : Looks::foreign;
 }
 
-/// What a file holds that is no mesh. Errors: those of `read_file` and `json_kind`; E_FORMAT_UNKNOWN.
+/// Kind of content of a file that is not a mesh. Errors: those of `read_file` and `json_kind`;
+/// E_FORMAT_UNKNOWN.
 Result<JsonKind> content_of(const std::filesystem::path& file) {
   if (has_ending(file, ".bpt")) return JsonKind::patches;
   if (has_ending(file, ".hariko")) return JsonKind::document;

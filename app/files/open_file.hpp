@@ -1,6 +1,6 @@
 #pragma once
 
-// Reading what a designer opens: a document, or a file of another program as a document with its objects.
+// Opening of documents, and of files of other programs as documents.
 
 #include <filesystem>
 #include <optional>
@@ -14,33 +14,34 @@
 
 namespace hariko {
 
+/// Result of opening a file.
 struct OpenedFile {
-  std::optional<Document> document;  ///< nothing when an error is among the messages
-  std::vector<Message> messages;     ///< of reading and, for a mesh that makes no polyhedron, of validation
-  /// The first mesh that was read but makes no polyhedron, for reports and repairs.
+  std::optional<Document> document;  ///< nothing where there is an error among the messages
+  std::vector<Message> messages;  ///< from reading and, for a mesh that makes no polyhedron, from validation
+  /// First mesh that was read but makes no polyhedron, for reports and repairs.
   std::optional<PolygonMesh> broken_mesh;
-  /// What the file becomes where such meshes are changed by `make_manifold`, and as reference facets; nothing
-  /// where it cannot be that.
+  /// Document with broken meshes changed by `make_manifold`, and with reference facets instead; nothing where
+  /// that is impossible.
   std::optional<Document> repaired, reference;
-  RepairReport repair;  ///< how `repaired` was made
-  CleanReport cleaned;  ///< what was done to the meshes at once; the messages tell of it
-  std::string name;     ///< of the object that a mesh file makes: as the file says, else after the file
-  bool meshes = false;  ///< a mesh file, whose polyhedra were not made here
-  std::size_t dense_faces = 0;  ///< of the densest mesh, where it is to be asked what it becomes; else 0
-  bool native = false;          ///< a *.hariko document, so that saving may go back to the same file
-  /// The file says the unit of its lengths: the documents have it, or millimetres.
+  RepairReport repair;          ///< changes made for `repaired`
+  CleanReport cleaned;          ///< changes already made to all meshes; the messages report them
+  std::string name;             ///< name of a mesh file's object: the file's own, else the file name
+  bool meshes = false;          ///< a mesh file whose polyhedra were not made by this program
+  std::size_t dense_faces = 0;  ///< number of faces of the densest mesh where the user is to be asked; else 0
+  bool native = false;          ///< a *.hariko document, so that saving may go to the same file
+  /// Whether the file gives the unit of its lengths; the documents have it, or millimetres.
   bool says_unit = false;
 
-  /// The first error among the messages; null when there is a document.
+  /// First error among the messages; null where there is a document.
   const Message* error() const;
 };
 
-/// The ending of the name decides: .obj .off .ply .stl .glb .gltf .3mf are meshes, .step .stp .iges .igs
-/// parts of a CAD program, .bpt Bezier patches, .json what its content says, all else a document. Bezier
-/// patches become one object a name; a single one that `is_editable` can be edited at once. Messages are
-/// those of the readers, of `validate` and of making sources, E_FORMAT_UNKNOWN for kinds of JSON that are not
-/// opened; E_CANCELLED alone where it was cancelled. Meshes are cleaned (`clean`), their corners joined as
-/// `join` says.
+/// Opens a file by the ending of its name: .obj .off .ply .stl .glb .gltf .3mf are meshes, .step .stp .iges
+/// .igs CAD models, .bpt Bezier patches, .json depends on its content, all else is a document. Bezier patches
+/// become one object for each name; a single patch that `is_editable` becomes editable. Meshes are cleaned
+/// (`clean`), with corners joined according to `join`. Messages: those of the readers, of `validate` and of
+/// making sources; E_FORMAT_UNKNOWN for kinds of JSON that are not opened; only E_CANCELLED where it was
+/// cancelled.
 OpenedFile open_file(const std::filesystem::path& file, const CancelToken& cancel = {},
                      const Progress& progress = {}, const JoinChoice& join = {});
 

@@ -20,7 +20,7 @@ std::size_t most_faces(const Document& document) {
   return most;
 }
 
-/// So that their surface or facets are seen, and not a cloud of dots.
+/// Hides points and edges, so that the surface or facets are visible instead of a cloud of dots.
 void show_plainly(std::optional<Document>& document) {
   if (!document) return;
   for (const auto& object : Document(*document).objects) {

@@ -1,6 +1,6 @@
 #pragma once
 
-// How meshes of other programs are read, and what is said of it.
+// Choices for reading meshes of other programs, and messages about them.
 
 #include <string>
 
@@ -12,20 +12,21 @@ namespace hariko {
 inline constexpr Code w_repaired{"W_REPAIRED"};
 inline constexpr Code w_can_be_opened{"W_CAN_BE_OPENED"};
 
+/// Choices for broken meshes.
 struct Reading {
   JoinChoice join = {};
-  bool repair = false;     ///< those that make no polyhedron are changed until they do
-  bool reference = false;  ///< or kept as facets, where they cannot be repaired or need not be
+  bool repair = false;     ///< repairs meshes that make no polyhedron
+  bool reference = false;  ///< keeps them as facets where they are not repaired
   friend bool operator==(const Reading&, const Reading&) = default;
 };
 
 /// Adds the counts of another mesh of the same file.
 void add_counts(RepairReport& sum, const RepairReport& report);
 
-/// "vertices merged: 12, faces turned: 3".
+/// Summary of a repair: "vertices merged: 12, faces turned: 3".
 std::string repair_text(const RepairReport& report);
 
-/// W_REPAIRED.
+/// W_REPAIRED with the summary of a repair.
 Message repaired_message(const RepairReport& report);
 
 }  // namespace hariko

@@ -1,6 +1,6 @@
 #pragma once
 
-// Reference facets as what surfaces are: triangles, and a surface of flat patches.
+// Conversion of reference facets to triangles, and to a surface of flat patches.
 
 #include "core/document/document.hpp"
 #include "core/surface/surface.hpp"
@@ -8,10 +8,10 @@
 
 namespace hariko {
 
-/// In the object's space, without normals: polygons are cut into triangles.
+/// Triangles in the object's space, without normals; polygons are triangulated.
 TriangleMesh triangles_of(const MeshSource& source);
 
-/// Flat patches, in the object's space, whose provenance are the faces.
+/// Flat patches in the object's space; their provenance is the faces.
 Surface facets_of(const MeshSource& source);
 
 }  // namespace hariko

@@ -1,6 +1,6 @@
 #pragma once
 
-// The pages of a paper model as a file.
+// Export of the pages of a paper model.
 
 #include <filesystem>
 #include <optional>
@@ -11,16 +11,17 @@
 
 namespace hariko {
 
+/// File formats for pages.
 enum class SheetFormat { pdf, svg, dxf, png, json };
-/// By the ending of the name, in any case of letters.
+/// Format by the ending of the name, in any case of letters; nothing for other endings.
 std::optional<SheetFormat> sheet_format_of(const std::filesystem::path& path);
 
-/// The files that pages become: SVG has one page a file, "model.svg", "model-2.svg", ...; all else is one
-/// file.
+/// Names of the files for some pages: SVG has one page per file, "model.svg", "model-2.svg", ...; all other
+/// formats use one file.
 std::vector<std::filesystem::path> sheet_files(const std::filesystem::path& path, Index page_count);
 
-/// The ending must name a format (asserted). Each of `sheet_files` is either the old or the whole new one.
-/// Errors: those of `write_file_atomic` and `write_png`.
+/// Writes the pages; the ending must name a format (asserted). Each of `sheet_files` is either the old or the
+/// whole new one. Errors: those of `write_file_atomic` and `write_png`.
 Result<Done> write_sheet_file(const std::filesystem::path& path, const SheetDrawing& drawing);
 
 }  // namespace hariko

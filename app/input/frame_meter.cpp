@@ -11,7 +11,7 @@ void FrameMeter::measure(Editor& editor, const Frame& frame, std::span<const Inp
   editor.frame_times.add({std::max(0.0, total - renderer - frame.end.showing), renderer});
   const Object* object = editor.active_object();
   const SurfaceView* shown = object ? editor.view_of(object->id) : nullptr;
-  // The surface that this frame showed answers what was dragged then.
+  // The surface shown by this frame answers the drag that made its object.
   while (shown && !dragged_.empty()) {
     const auto found = std::find_if(dragged_.begin(), dragged_.end(),
                                     [&](const auto& entry) { return entry.first == shown->object; });

@@ -1,6 +1,6 @@
 #pragma once
 
-// FrameMeter: what a frame took, and how long the surface of a drag took to show.
+// FrameMeter: durations of frames, and latency between a drag and its surface.
 
 #include <chrono>
 #include <deque>
@@ -13,19 +13,19 @@
 
 namespace hariko {
 
+/// Measures frames for the editor's performance display.
 class FrameMeter {
  public:
   struct Frame {
     std::chrono::steady_clock::time_point start;
     GlWindow::FrameEnd end;
-    double viewport = 0;  ///< milliseconds of the renderer for the model's picture
+    double viewport = 0;  ///< milliseconds for rendering the model's picture
   };
-  /// Adds a frame that has just ended to the editor's times. `input`: the events that it took; `now`: the
-  /// window's time.
+  /// Adds a finished frame to the editor's times. `input`: events that it handled; `now`: the window's time.
   void measure(Editor& editor, const Frame& frame, std::span<const InputEvent> input, double now);
 
  private:
-  /// Objects as drags made them, with the time of the pointer event; until their surface shows.
+  /// Objects made by drags whose surface is not shown yet, with the time of the pointer event.
   std::deque<std::pair<std::shared_ptr<const Object>, double>> dragged_;
 };
 

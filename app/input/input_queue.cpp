@@ -15,12 +15,13 @@ bool is_move(const InputEvent& event) {
   return event.kind == Kind::move || event.kind == Kind::leave;
 }
 
-/// Shift, Ctrl, Alt and Super of either side. Their own events carry the modifiers from before.
+/// Whether an event is Shift, Ctrl, Alt or Super of either side. Their own events carry the modifiers from
+/// before.
 bool is_modifier(const InputEvent& event) {
   return event.kind == Kind::key && event.code >= GLFW_KEY_LEFT_SHIFT && event.code <= GLFW_KEY_RIGHT_SUPER;
 }
 
-/// Whether a frame that sees `batch` may see `next` as well.
+/// Whether a frame that gets `batch` may also get `next`.
 bool fits(const std::vector<InputEvent>& batch, const InputEvent& next) {
   const bool only_moves = std::all_of(batch.begin(), batch.end(), is_move);
   switch (next.kind) {
@@ -28,7 +29,8 @@ bool fits(const std::vector<InputEvent>& batch, const InputEvent& next) {
     case Kind::leave:
       return only_moves;
     case Kind::button:
-      // A slider lets go in the frame that sees the button up: what it was dragged to must have come before.
+      // A slider is released in the frame that sees the button up: its last drag must come in an earlier
+      // frame.
       return next.down ? only_moves : batch.empty();
     case Kind::wheel:
       return std::all_of(batch.begin(), batch.end(),
@@ -38,8 +40,8 @@ bool fits(const std::vector<InputEvent>& batch, const InputEvent& next) {
       return std::all_of(batch.begin(), batch.end(), [&](const InputEvent& event) {
         if (event.kind == Kind::text || is_move(event)) return true;
         if (event.kind != Kind::key) return false;
-        // The frame would not see a key that went down and up, nor modifiers that hold for some keys only: a
-        // shortcut whose modifier goes up in the same frame would be a bare letter.
+        // A frame would miss a key that goes down and up, and modifiers that hold for some keys only: a
+        // shortcut whose modifier is released in the same frame would be a bare letter.
         if (is_modifier(event) || is_modifier(next)) return false;
         const bool same = next.kind == Kind::key && next.code == event.code && next.down != event.down;
         return !same && (next.kind == Kind::text || next.modifiers == event.modifiers);

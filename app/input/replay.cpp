@@ -63,7 +63,7 @@ void write(JsonWriter& json, const InputEvent& event) {
   });
 }
 
-/// {"t": TIME, ...}, the members written by `body`.
+/// Line {"t": TIME, ...} with the members that `body` writes.
 template <class Body>
 std::string line_at(double time, Body&& body) {
   JsonWriter json;
@@ -74,7 +74,7 @@ std::string line_at(double time, Body&& body) {
   return json.take();
 }
 
-/// Throws what the JSON library throws, or a sentence.
+/// Event from JSON; throws the JSON library's exceptions, or a sentence.
 InputEvent event_from(const Json& json) {
   InputEvent event;
   const std::string name = json.at("kind").get<std::string>();
@@ -203,8 +203,8 @@ ReplayRecorder::ReplayRecorder(const std::filesystem::path& path, const ReplaySt
   out_ << json.take() << std::endl;
 }
 
-/// To the millisecond: the order counts, not the digits. The frame in which a recording begins is older than
-/// it.
+/// Time since the start, rounded to milliseconds: the order matters, not the digits. The frame in which a
+/// recording starts is older than it, hence the maximum.
 double ReplayRecorder::since_start(double now) const {
   return std::round(1000 * std::max(0.0, now - start_)) / 1000;
 }

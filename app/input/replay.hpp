@@ -1,6 +1,6 @@
 #pragma once
 
-// Replays: what a user did in the window, in a file that plays it again. The format is in docs/replays.md.
+// Replays: recorded user input that can be played again. docs/replays.md describes the file format.
 
 #include <filesystem>
 #include <fstream>
@@ -16,51 +16,55 @@ namespace hariko {
 
 inline constexpr Code e_replay_read{"E_REPLAY_READ"};
 
-/// With what the recording began.
+/// Initial state of a recording.
 struct ReplayStart {
-  int width = 1280, height = 800;            ///< of the window
-  double scale = 1;                          ///< of the interface, the monitor's included
-  std::vector<std::filesystem::path> files;  ///< opened; relative to the replay file
+  int width = 1280, height = 800;            ///< size of the window
+  double scale = 1;                          ///< scale of the interface, the monitor's included
+  std::vector<std::filesystem::path> files;  ///< opened files, relative to the replay file
 
-  /// With what a recording in the middle of a session began, instead of files.
+  /// Initial state of a recording that starts in the middle of a session, instead of files.
   struct Session {
-    std::string document;  ///< the text that it is saved as
-    std::string name;      ///< of its file, without a folder; empty when it was never saved
-    bool dirty = false;    ///< it differed from its file
+    std::string document;  ///< text of the saved document
+    std::string name;      ///< name of its file, without a folder; empty where it was never saved
+    bool dirty = false;    ///< the document differed from its file
     std::string settings;  ///< `settings_text`
   };
   std::optional<Session> session = {};
 };
 
+/// Step of a replay: a batch of input, or a mark.
 struct ReplayStep {
-  double time = 0;                ///< seconds since the start, not descending
-  std::vector<InputEvent> batch;  ///< what one frame sees; empty for marks
-  bool waits_for_idle = false;    ///< nothing was left to do at this moment
+  double time = 0;                ///< seconds since the start, ascending
+  std::vector<InputEvent> batch;  ///< input of one frame; empty for marks
+  bool waits_for_idle = false;    ///< the program was idle at this moment
 };
 
+/// Recorded session.
 struct Replay {
   ReplayStart start;
   std::vector<ReplayStep> steps;
-  std::string document_hash;   ///< of the text that the document is saved as, at the end
-  std::size_t undo_steps = 0;  ///< in the history at the end
+  std::string document_hash;   ///< `document_hash` of the final document
+  std::size_t undo_steps = 0;  ///< number of undo steps at the end
 
-  /// Errors: those of read_file, E_REPLAY_READ with the line.
+  /// Reads a replay file. Errors: those of read_file, E_REPLAY_READ with the line.
   static Result<Replay> read(const std::filesystem::path& path);
 };
 
-/// FNV-1a, 64 bits, of the text that the document is saved as; 16 hexadecimal digits.
+/// Hash of the text of the saved document: FNV-1a, 64 bits, as 16 hexadecimal digits.
 std::string document_hash(const Document& document);
 
-/// Writes a replay while it happens. Every line is on the disk at once, so that a crash leaves what led to
-/// it.
+/// Writes a replay during a session. Every line reaches the disk immediately, so that a crash leaves the
+/// input that led to it.
 class ReplayRecorder {
  public:
-  /// False in `ok()` when the file cannot be written.
+  /// Opens the file; `ok()` is false where it cannot be written.
   ReplayRecorder(const std::filesystem::path& path, const ReplayStart& start, double now);
   bool ok() const { return out_.good(); }
+  /// Records the input of a frame.
   void batch(double now, const std::vector<InputEvent>& events);
-  /// Nothing is left to do: a replay waits until that is so again.
+  /// Records that the program is idle: a replay waits for the same state.
   void idle(double now);
+  /// Records the final state and ends the replay.
   void finish(double now, const Document& document, std::size_t undo_steps);
 
  private:
@@ -71,27 +75,27 @@ class ReplayRecorder {
   bool marked_idle_ = false;
 };
 
-/// Says when what is to be played. Time stands still where the program is slower than the recording was, so
-/// that double clicks stay double clicks.
+/// Determines when recorded input is played. Its clock stops where the program is slower than the recording
+/// was, so that double clicks stay double clicks.
 class ReplayPlayer {
  public:
-  /// `skip_pauses`: the clock leaps to the next event whenever the program has nothing left to do.
+  /// `skip_pauses`: advances the clock to the next event whenever the program is idle.
   explicit ReplayPlayer(Replay replay, bool skip_pauses = false)
       : replay_(std::move(replay)), skip_pauses_(skip_pauses) {}
 
-  /// Advances by `seconds` of real time and gives the batch that is due now; `idle`: the program has nothing
-  /// left to do. At most one batch a call.
+  /// Advances by `seconds` of real time and returns the batch that is due now, at most one per call. `idle`:
+  /// whether the program has nothing left to do.
   std::vector<InputEvent> advance(double seconds, bool idle);
-  /// The time that the program is to see.
+  /// Time that the program should use.
   double now() const { return now_; }
-  /// All was played and the program is idle again.
+  /// Whether everything was played and the program is idle again.
   bool finished() const { return finished_; }
-  /// Why waiting is in vain: the program has not become idle for this long.
+  /// Whether the program has not become idle for `longest_wait`.
   bool stuck() const { return waited_ > longest_wait; }
-  /// Seconds. Programs with sanitizers of which several share a processor need more than a minute.
+  /// Seconds. Programs with sanitizers, several on one processor, need more than a minute.
   static constexpr double longest_wait = 240;
 
-  /// Nothing but marks is left.
+  /// Whether only marks are left.
   bool all_played() const;
 
   const Replay& replay() const { return replay_; }

@@ -13,7 +13,7 @@ namespace hariko {
 
 namespace {
 
-/// {"event": NAME, ...}, the members written by `body`.
+/// Line {"event": NAME, ...} with the members that `body` writes.
 template <class Body>
 std::string event_line(const char* name, Body&& body) {
   JsonWriter json;
@@ -24,7 +24,7 @@ std::string event_line(const char* name, Body&& body) {
   return json.take();
 }
 
-/// "id": {"vertex": [x, y, depth], ...} of what has vertices, or solids, that tests may point at.
+/// Writes "id": {"vertex": [x, y, depth], ...} for objects with vertices, or solids, that tests may point at.
 void write_pixels(JsonWriter& json, const Object& object, const Projector& projector, ImVec2 corner) {
   constexpr Index most = 300;
   const PolyhedronSource* source = object.polyhedron();
@@ -144,7 +144,8 @@ void TestLog::frame(const Editor& editor, const Workbench& workbench, bool idle)
   idle_ = idle;
 }
 
-/// Input is taken in order: who sees the pointer arrive knows that all before it was taken, too.
+/// Logs the pointer. Input is taken in order: once the pointer has arrived, everything before it was handled,
+/// too.
 void TestLog::pointer() {
   if (!ImGui::IsMousePosValid()) return;
   const ImVec2 at = ImGui::GetIO().MousePos;

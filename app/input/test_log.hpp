@@ -1,7 +1,7 @@
 #pragma once
 
-// TestLog: one JSON line for everything that happened, so that a test which drives the real window can wait
-// for it and find things on the screen without guessing pixels.
+// TestLog: one JSON line for each event, so that a test that drives the real window can wait for it and find
+// things on the screen without guessing pixels.
 
 #include <array>
 #include <filesystem>
@@ -15,20 +15,23 @@
 
 namespace hariko {
 
+/// Log of the window for tests.
 class TestLog {
  public:
   /// An empty path logs nothing.
   explicit TestLog(const std::filesystem::path& path);
 
+  /// Logs a finished view of an object.
   void rebuilt(ObjectId object, const SurfaceView& view);
+  /// Logs an event about a file.
   void file(const char* what, const std::filesystem::path& path);
-  /// What the next frame sees. Changes of keys and buttons are counted, and logged once that frame has acted
-  /// on them.
+  /// Counts changes of keys and buttons in the input of the next frame; they are logged once that frame has
+  /// handled them.
   void input(const std::vector<InputEvent>& batch);
-  /// After the first frame, once it is drawn: the processor time that the program took until then, all
-  /// threads and the system's share, and how many pictures the page still waits for.
+  /// Logs the processor time until the first frame was drawn, of all threads and including the system's
+  /// share, and the number of pictures that the page still waits for.
   void first_frame(const Workbench& workbench);
-  /// After a frame: logs what changed since the last one. `idle`: nothing is left to do.
+  /// Logs the changes since the last frame. `idle`: whether the program has nothing left to do.
   void frame(const Editor& editor, const Workbench& workbench, bool idle);
 
  private:
@@ -46,7 +49,7 @@ class TestLog {
   std::ofstream out_;
   bool on_ = false, idle_ = false;
   std::array<float, 2> pointer_{-1, -1};
-  std::uint64_t keys_ = 0, buttons_ = 0;  ///< changes so far
+  std::uint64_t keys_ = 0, buttons_ = 0;  ///< number of changes so far
   bool taken_ = false;
   std::map<std::string, Marks::Rect> rects_;
   std::size_t position_ = 0;

@@ -1,6 +1,6 @@
 #pragma once
 
-// BackgroundWork: work on files off the main thread, named in the status line while it runs.
+// BackgroundWork: work on files off the main thread, shown in the status line while it runs.
 
 #include <algorithm>
 #include <memory>
@@ -12,7 +12,7 @@
 
 namespace hariko {
 
-/// Jobs run one after the other in the order in which they were given. For the main thread.
+/// Queue of jobs that run one after the other in the order of submission. For the main thread.
 class BackgroundWork {
  public:
   BackgroundWork(Editor& editor, std::function<void()> wake) : editor_(editor), lane_(std::move(wake)) {}
@@ -22,15 +22,15 @@ class BackgroundWork {
   BackgroundWork(const BackgroundWork&) = delete;
   BackgroundWork& operator=(const BackgroundWork&) = delete;
 
-  /// Runs `work(cancel)` on the worker; `done` gets its result on the main thread. `what` names it; empty for
-  /// work that nobody has to know of.
+  /// Runs `work(cancel)` on the worker and passes its result to `done` on the main thread. `what` names it in
+  /// the status line; empty for work that is not shown.
   template <class Work, class Done>
   void run(std::string what, Work work, Done done) {
     submit(what.empty() ? nullptr : show(std::move(what), false), std::move(work), std::move(done));
   }
 
-  /// Runs `work(cancel, progress)`, which the user may cancel: it should return soon then, and `done` gets
-  /// its result also in that case.
+  /// Runs `work(cancel, progress)`, which the user may cancel: it should then return soon, and `done` gets
+  /// its result in that case, too.
   template <class Work, class Done>
   void run_cancellable(std::string what, Work work, Done done) {
     const auto job = show(std::move(what), true);
@@ -39,8 +39,10 @@ class BackgroundWork {
         std::move(done));
   }
 
+  /// Calls `done` for finished jobs; returns their number.
   std::size_t publish() { return lane_.publish(); }
   bool idle() const { return lane_.idle(); }
+  /// Waits for all jobs, for tests and for shutting down.
   void wait() { lane_.wait(); }
 
  private:
@@ -72,7 +74,7 @@ class BackgroundWork {
   Editor& editor_;
   std::vector<SharedJob> shown_;
   WorkLane::Key next_ = 0;
-  WorkLane lane_;  ///< last: its thread stops before the rest goes
+  WorkLane lane_;  ///< last: its thread stops before the other members are destroyed
 };
 
 }  // namespace hariko

@@ -10,14 +10,14 @@ namespace hariko {
 
 namespace {
 
-/// "face 3: The face has 2 corners."
+/// Line about an error: "face 3: The face has 2 corners."
 std::string line_of(const Language& tr, const Message& message) {
   const std::string text = tr.text_of(message), element = to_string(message.element);
-  // Translations of codes name the element themselves.
+  // Translations by code name the element themselves.
   return element.empty() || text != message.text ? text : element + ": " + text;
 }
 
-/// The errors, one line a kind, the first few kinds.
+/// List of errors, one line for each of the first few kinds.
 std::string list_of_errors(const Language& tr, const OpenedFile& opened) {
   constexpr std::size_t most = 4;
   std::string list;

@@ -1,6 +1,6 @@
 #pragma once
 
-// ConversionJobs: skins and solids become polyhedra, off the main thread.
+// ConversionJobs: conversion of skins and solids to polyhedra, off the main thread.
 
 #include <filesystem>
 #include <functional>
@@ -12,24 +12,24 @@
 
 namespace hariko {
 
-/// For the main thread.
+/// Conversions for the main thread.
 class ConversionJobs {
  public:
   using Log = std::function<void(const char* what, const std::filesystem::path&)>;
-  /// `log`: told "converted" when a polyhedron is there.
+  /// `log`: receives "converted" when a polyhedron is added.
   ConversionJobs(Editor& editor, BackgroundWork& work, Log log)
       : editor_(editor), work_(work), log_(std::move(log)) {}
 
-  /// Makes a polyhedron of a skin or of solids as they are now; a conversion that is on its way is cancelled.
-  /// One step at the end: the polyhedron comes and is chosen, what it was made of is hidden, and a notice
-  /// says how far its surface is from that. An object that was changed meanwhile stays as it is, and a notice
-  /// says so. Other kinds stay as they are.
+  /// Converts a skin or solids, as they are now, to a polyhedron; a running conversion is cancelled. It ends
+  /// in one undoable step: the polyhedron is added and selected, its source is hidden, and a notice gives the
+  /// deviation of its surface from the source's. An object that changed meanwhile stays as it is, and a
+  /// notice says so. Other kinds of objects are ignored.
   void convert(ObjectId object);
 
  private:
   struct Made {
     PolyhedronSource source;
-    std::string note;  ///< English
+    std::string note;  ///< in English
     std::vector<Message> warnings;
   };
   using Work = std::function<Result<Made>(const CancelToken&, const Progress&)>;
@@ -40,7 +40,7 @@ class ConversionJobs {
   BackgroundWork& work_;
   Log log_;
   std::shared_ptr<const Job> converting_;
-  int conversions_ = 0;  ///< asked for
+  int conversions_ = 0;  ///< number of requested conversions
 };
 
 }  // namespace hariko

@@ -1,6 +1,6 @@
 #pragma once
 
-// Writing ordered line drawings. For a worker.
+// Writing of ordered line drawings, on a worker.
 
 #include "core/base/cancellation.hpp"
 #include "core/base/progress.hpp"
@@ -8,7 +8,8 @@
 
 namespace hariko {
 
-/// The file is the old or the whole new one. Errors: those of `draw_lines` and `write_file_atomic`.
+/// Writes a line drawing atomically: the file is the old or the whole new one. Errors: those of `draw_lines`
+/// and `write_file_atomic`.
 Result<Done> write_drawing(const DrawingOrder& order, const CancelToken& cancel, const Progress& progress);
 
 }  // namespace hariko

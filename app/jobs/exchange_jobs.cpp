@@ -112,7 +112,7 @@ Document ExchangeJobs::document_to_export(bool only_selected) const {
 }
 
 void ExchangeJobs::export_file(const std::filesystem::path& path, const ExportSettings& settings) {
-  counting_.cancel();  // or the file would wait for it
+  counting_.cancel();  // otherwise the file would wait for it
   work_.run_cancellable(
       fill(translatable("Exporting {0}"), {path.filename().string()}),
       [path, settings, document = document_to_export(settings.only_selected)](const CancelToken& cancel,

@@ -14,39 +14,45 @@
 
 namespace hariko {
 
-/// For the main thread. What went wrong and what was written is told to the designer by notices.
+/// Imports and exports for the main thread. Notices tell about errors and written files.
 class ExchangeJobs {
  public:
   using Log = std::function<void(const char* what, const std::filesystem::path&)>;
-  /// `log`: told when something is done: "imported", "broken" (a mesh that needs a repair), "export_counted",
-  /// "exported" or "export_failed".
+  /// `log`: receives "imported", "broken" (a mesh that needs a repair), "export_counted", "exported" or
+  /// "export_failed" when something is done.
   ExchangeJobs(Editor& editor, Workbench& workbench, BackgroundWork& work, Log log)
       : editor_(editor), workbench_(workbench), work_(work), log_(std::move(log)) {}
   ~ExchangeJobs() { counting_.cancel(); }
   ExchangeJobs(const ExchangeJobs&) = delete;
   ExchangeJobs& operator=(const ExchangeJobs&) = delete;
 
-  /// Adds the objects of a file to the document, as one step; asks first whether a broken mesh is repaired,
-  /// or corners that are nearly at the same place are joined, unless `join` says it.
+  /// Adds the objects of a file to the document, as one step. Asks first whether a broken mesh is repaired,
+  /// or corners that are nearly at the same place are joined, unless `join` decides it.
   void import_file(const std::filesystem::path& path, const JoinChoice& join = {});
-  /// Counts the triangles or faces that an export would write, for the dialogs; a count that is on its way
-  /// is cancelled, and nothing is heard of it any more.
+  /// Counts the triangles that an export would write, for the dialogs. A running count is cancelled without a
+  /// result.
   void count_export(const std::filesystem::path& path, const ExportSettings& settings);
+  /// Counts the faces that a CAD export would write; otherwise as `count_export`.
   void count_cad(const CadSettings& settings);
+  /// Cancels a running count.
   void cancel_count() { counting_.cancel(); }
+  /// Writes the document's triangles.
   void export_file(const std::filesystem::path& path, const ExportSettings& settings);
+  /// Writes the document's surfaces as STEP or IGES.
   void export_cad(const std::filesystem::path& path, const CadSettings& settings);
+  /// Writes pictures.
   void export_pictures(PictureOrder order);
+  /// Writes a line drawing.
   void export_drawing(DrawingOrder order);
-  /// Writes the pages of the paper model as they lie.
+  /// Writes the pages of the paper model as laid out.
   void export_pages(const std::filesystem::path& path);
 
  private:
-  /// Where the file says its unit, objects keep their size, otherwise the numbers.
+  /// Adds imported objects. Where the file gives its unit they keep their size, otherwise their numbers.
   void add_imported(const std::filesystem::path& path, const Document& document, bool says_unit,
                     const std::vector<Message>& warnings);
   void warn(const std::vector<Message>& warnings);
-  /// Tells of a file that was written, or not.
+  /// Shows a notice about a file that was written, or not.
   void tell(const std::filesystem::path& path, const Result<Done>& written);
   Document document_to_export(bool only_selected) const;
   /// Runs `count(cancel)` on the worker; `take` gets its result unless it was cancelled.
@@ -57,7 +63,7 @@ class ExchangeJobs {
   Workbench& workbench_;
   BackgroundWork& work_;
   Log log_;
-  CancelToken counting_;  ///< of the last count for a dialog
+  CancelToken counting_;  ///< cancels the last count for a dialog
 };
 
 }  // namespace hariko

@@ -23,7 +23,7 @@ MeshOptions options_of(const ExportSettings& settings) {
   return options;
 }
 
-/// All triangles that an export makes, which borrow from the lists.
+/// All triangles of an export; `meshes` borrows from `tolerated`.
 struct ExportMeshes {
   std::vector<MeshedObject> tolerated;
   std::vector<NamedMesh> meshes;
@@ -55,7 +55,7 @@ Result<ExportMeshes> export_meshes(const Document& document, const std::filesyst
   return out;
 }
 
-/// The triangles of the whole density, without making them.
+/// Number of triangles at a density, without making them.
 Result<ExportCount> count_by_density(const Document& document, int density, const CancelToken& cancel) {
   ExportCount count;
   const auto n = static_cast<std::size_t>(density);
@@ -121,7 +121,7 @@ Result<ExportCount> count_triangles(const Document& document, const std::filesys
 Result<ExportReport> export_triangles(const Document& document, const std::filesystem::path& path,
                                       const ExportSettings& settings, const CancelToken& cancel,
                                       const Progress& progress) {
-  constexpr double writing = 0.75;  // what making the triangles takes of the whole, about
+  constexpr double writing = 0.75;  // fraction of the time for making the triangles, roughly
   const auto made =
       export_meshes(document, path, settings, MeshReport::asked, cancel, progress.part(0, writing));
   if (!made.ok()) return made.error();

@@ -1,6 +1,6 @@
 #pragma once
 
-// Exporting as the dialog says: by tolerance or by density. For a worker.
+// Export of triangles with the dialog's settings, by tolerance or by density, on a worker.
 
 #include <filesystem>
 
@@ -11,13 +11,13 @@
 
 namespace hariko {
 
-/// Counts what `export_triangles` would write into a file of this name. Takes as long as making it. Errors:
-/// those of `mesh_surfaces`, `density_meshes` and `check_mesh_file`; E_CANCELLED.
+/// Counts the triangles that `export_triangles` would write to a file of this name. Takes as long as making
+/// them. Errors: those of `mesh_surfaces`, `density_meshes` and `check_mesh_file`; E_CANCELLED.
 Result<ExportCount> count_triangles(const Document& document, const std::filesystem::path& path,
                                     const ExportSettings& settings, const CancelToken& cancel);
 
-/// Writes what is visible in the format that the ending names. Errors: those of `mesh_surfaces`,
-/// `export_surfaces` and writing; E_CANCELLED, and the file is as it was.
+/// Writes the visible objects in the format of the ending. Errors: those of `mesh_surfaces`,
+/// `export_surfaces` and writing; E_CANCELLED. After an error the file is unchanged.
 Result<ExportReport> export_triangles(const Document& document, const std::filesystem::path& path,
                                       const ExportSettings& settings, const CancelToken& cancel,
                                       const Progress& progress);

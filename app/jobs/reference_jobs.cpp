@@ -26,7 +26,7 @@ fs::path normal_path(const fs::path& path) {
   return (unknown ? path : absolute).lexically_normal();
 }
 
-/// The name that a picture's object gets: that of the file without its ending.
+/// Name for a picture's object: that of the file without its ending.
 std::string object_name(const fs::path& path) {
   std::string name = printable(path.stem().string(), Object::max_name_length - 8);
   return check_name(name).ok() ? name : std::string(translatable("Picture"));
@@ -86,7 +86,7 @@ void ReferenceJobs::take(const std::vector<Read>& files, const Camera& camera, P
     source.rows = read.file->rows;
     source.width = place.width;
     source.look = place.look;
-    constexpr double gap = 0.05;  // of the width
+    constexpr double gap = 0.05;  // relative to the width
     if (!made.empty()) right += place.width / 2;
     place.transform.translation += right * (place.transform.rotation * Vector3::UnitX());
     right += place.width * (0.5 + gap);
@@ -134,7 +134,7 @@ void ReferenceJobs::pack(const std::vector<ObjectId>& pictures) {
         std::vector<std::pair<ObjectId, Read>> out;
         for (const auto& [id, path] : wanted) {
           out.emplace_back(id, read(path, true));
-          // Within the document a path has no folder to be found in.
+          // A packed picture has no folder: only the name is kept.
           if (Read& file = out.back().second; file.file) {
             PictureFile named = *file.file;
             named.path = file.path.filename().string();
@@ -186,7 +186,7 @@ void ReferenceJobs::find(const fs::path& file) {
         std::vector<std::pair<ObjectId, Read>> out;
         for (const auto& [id, path] : wanted) {
           std::error_code unknown;
-          // The one that was chosen says what is wrong with it; others may lie elsewhere.
+          // Errors are reported for the chosen file; the others may be elsewhere.
           if (!out.empty() && !fs::is_regular_file(path, unknown)) continue;
           out.emplace_back(id, read(path, false));
         }

@@ -1,7 +1,6 @@
 #pragma once
 
-// ReferenceJobs: reference pictures come into the document, are packed, unpacked and found again, off the
-// main thread as far as files are read.
+// ReferenceJobs: adds, packs, unpacks and relinks reference pictures, reading files off the main thread.
 
 #include <filesystem>
 #include <functional>
@@ -13,24 +12,24 @@
 
 namespace hariko {
 
-/// For the main thread. Each makes one step.
+/// Jobs on reference pictures; each makes one undoable step. For the main thread.
 class ReferenceJobs {
  public:
   using Log = std::function<void(const char* what, const std::filesystem::path&)>;
-  /// `log`: told "picture_added", "picture_packed", "picture_unpacked", "pictures_found".
+  /// `log`: receives "picture_added", "picture_packed", "picture_unpacked", "pictures_found".
   ReferenceJobs(Editor& editor, BackgroundWork& work, Log log)
       : editor_(editor), work_(work), log_(std::move(log)) {}
 
-  /// Side by side where the active view looks, linked; the first is chosen then. Begins a document where
-  /// none is open. Files that are no pictures are told.
+  /// Adds linked pictures side by side in the plane of the active view, and selects the first. Starts a
+  /// document where none is open. Reports files that are not pictures.
   void add(const std::vector<std::filesystem::path>& files);
-  /// Takes the bytes of linked pictures into the document.
+  /// Packs the bytes of linked pictures into the document.
   void pack(const std::vector<ObjectId>& pictures);
-  /// Writes the bytes of a packed picture to a file, which it is linked to from then on.
+  /// Writes the bytes of a packed picture to a file and links the picture to it.
   void unpack(ObjectId picture, const std::filesystem::path& file);
-  /// Gives a picture another file.
+  /// Links a picture to another file.
   void replace(ObjectId picture, const std::filesystem::path& file);
-  /// The first missing picture is this file; the others are looked for under their names beside it.
+  /// Links the first missing picture to this file, and others to files of their names beside it.
   void find(const std::filesystem::path& file);
 
  private:
@@ -48,7 +47,7 @@ class ReferenceJobs {
   Log log_;
 };
 
-/// Has these jobs do what the interface asks for; they must outlive it.
+/// Connects these jobs to the requests of the interface; they must outlive it.
 void connect(FileActions& actions, ReferenceJobs& jobs);
 
 }  // namespace hariko

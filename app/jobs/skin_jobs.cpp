@@ -12,7 +12,7 @@
 namespace hariko {
 
 void SkinJobs::add_section(ObjectId id, double place) {
-  // Asked for twice before it is there, by two clicks on one spot.
+  // Ignores a repeated request, as by two clicks on one spot.
   for (const WantedSection& wanted : wanted_)
     if (wanted.object == id && wanted.place == place) return;
   wanted_.push_back({id, place});
@@ -44,12 +44,12 @@ void SkinJobs::make_section() {
 }
 
 void SkinJobs::settle() {
-  // A gesture goes on from the skin that it began with: a section that came in its middle would be lost.
+  // A gesture continues from the skin that it began with: a section added meanwhile would be lost.
   if (!made_ || editor_.history.in_gesture()) return;
   const MadeSection made = *std::move(made_);
   made_.reset();
   wanted_.pop_front();
-  // It may have been ready when it was cancelled.
+  // It may have been finished when it was cancelled.
   if (adding_->cancel.cancelled() || (!made.edit.ok() && made.edit.error().code == e_cancelled))
     wanted_.clear();
   else

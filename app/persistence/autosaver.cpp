@@ -34,7 +34,7 @@ bool Autosaver::due(double now, double interval) const {
 double Autosaver::due_in(double now, double interval) const {
   const std::lock_guard lock(state_mutex_);
   if (!waits()) return -1;
-  if (!work_ && !failed_) return 0;  // a copy of what is saved or discarded must not come back
+  if (!work_ && !failed_) return 0;  // a copy of saved or discarded work must not reappear
   return std::max(0.0, started_ + interval - now);
 }
 
@@ -79,7 +79,7 @@ Result<Done> Autosaver::write(std::int64_t unix_seconds) {
   auto written = slot_->write(work->document, work->note, *layer_);
   const std::lock_guard lock(state_mutex_);
   failed_ = !written.ok();
-  copy_exists_ = true;  // also after a failure something may be there
+  copy_exists_ = true;  // also after a failure, as a part may have been written
   if (written.ok()) written_ = work->state;
   return written;
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-// Autosaver: keeps the last committed document and decides when its recovery copy has to be written.
+// Autosaver: holds the last committed document and decides when its recovery copy must be written.
 
 #include <cstdint>
 #include <memory>
@@ -11,11 +11,11 @@
 
 namespace hariko {
 
-/// The main thread says what there is; any thread may write, so that a signal or a lost display can do so at
-/// once while the main thread is stuck.
+/// Autosave of one document. The main thread sets the work; any thread may write, so that a signal or a lost
+/// display can do so immediately while the main thread is stuck.
 class Autosaver {
  public:
-  /// Names a state of a document: `epoch` differs between documents, `serial` between states
+  /// Identifies a state of a document: `epoch` differs between documents, `serial` between states
   /// (History::serial).
   struct State {
     std::uint64_t epoch = 0, serial = 0;
@@ -29,27 +29,27 @@ class Autosaver {
 
   Autosaver(RecoveryStore store, std::shared_ptr<FileLayer> layer = std::make_shared<SystemFileLayer>());
 
-  /// Work that is nowhere on the disk. Cheap to call often with the same state: `is_latest` tells.
+  /// Sets work that is not saved. `is_latest` tells cheaply whether a state is set already.
   void set_work(Work work);
   bool is_latest(const State& state) const;
-  /// There is nothing to lose any more: the copy goes with the next `write`.
+  /// Declares that there is nothing to lose: the next `write` removes the copy.
   void set_nothing();
 
-  /// Whether `write` should be called: something changed, and `interval` seconds went by since it was called
-  /// last. `now` is any steady clock in seconds. The first change after a rest is due at once.
+  /// Whether `write` should be called: something changed, and `interval` seconds have passed since the last
+  /// call. `now` is any steady clock in seconds. The first change after a rest is due immediately.
   bool due(double now, double interval) const;
-  /// Seconds until it may be due; negative when nothing waits to be written.
+  /// Seconds until `write` may be due; negative where nothing waits to be written.
   double due_in(double now, double interval) const;
-  /// Call where a write is started, with the same clock: the interval counts from there.
+  /// Records the start of a write, by the same clock: the interval counts from there.
   void started(double now);
 
-  /// Brings the disk up to date: writes the copy, or removes it when there is nothing to lose. Returns when
-  /// it is done; after an error it is due again when the interval is over.
+  /// Updates the disk: writes the copy, or removes it where there is nothing to lose. Returns when that is
+  /// done; after an error it is due again after the interval.
   Result<Done> write(std::int64_t unix_seconds);
-  /// Whether the disk holds what was last said.
+  /// Whether the disk has the last state that was set.
   bool up_to_date() const;
 
-  /// Takes over the place of recovered work, whose copy is `state`; the own copy is removed.
+  /// Takes over the slot of recovered work, whose copy has the given state; removes the own copy.
   void adopt(RecoverySlot slot, Work work);
 
  private:
@@ -58,13 +58,13 @@ class Autosaver {
   RecoveryStore store_;
   std::shared_ptr<FileLayer> layer_;
 
-  mutable std::mutex state_mutex_;  ///< of these; never held while the disk is used
+  mutable std::mutex state_mutex_;  ///< guards the members below; never held during disk access
   std::optional<Work> work_;
-  std::optional<State> written_;  ///< what the copy on disk is of
+  std::optional<State> written_;  ///< state of the copy on disk
   bool copy_exists_ = false, failed_ = false;
   double started_ = -1e9;
 
-  std::mutex disk_mutex_;  ///< of these; taken before state_mutex_
+  std::mutex disk_mutex_;  ///< guards the members below; taken before state_mutex_
   std::optional<RecoverySlot> slot_;
 };
 

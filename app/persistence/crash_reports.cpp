@@ -38,7 +38,7 @@ fs::path CrashReports::own_file() const {
 
 std::vector<CrashReports::Found> CrashReports::all() const {
   std::vector<Found> out;
-  std::error_code failed;  // what cannot be listed or looked at is not offered
+  std::error_code failed;  // inaccessible reports are not offered
   for (fs::directory_iterator it(folder_, failed), end; !failed && it != end; it.increment(failed)) {
     const auto written_at = it->last_write_time(failed);
     if (!failed && is_report(it->path().filename().string()))
@@ -59,7 +59,7 @@ std::optional<CrashReports::Found> CrashReports::latest() const {
 }
 
 void CrashReports::dismiss() const {
-  std::error_code ignored;  // a report that stays is offered again
+  std::error_code ignored;  // a report that could not be removed is offered again
   const std::vector<Found> found = all();
   for (std::size_t i = 0; i < found.size(); ++i)
     i == 0 ? fs::rename(found[i].file, folder_ / "crash.txt", ignored)

@@ -1,6 +1,6 @@
 #pragma once
 
-// CrashReports: what crashed sessions left behind about their end.
+// CrashReports: reports of crashed sessions.
 
 #include <cstdint>
 #include <filesystem>
@@ -10,7 +10,8 @@
 
 namespace hariko {
 
-/// One file a crash, `crash-PROCESS.txt`, until the user has dismissed it; the last one stays as crash.txt.
+/// Folder of crash reports, one file `crash-PROCESS.txt` for each crash until the user dismisses it; the last
+/// dismissed one stays as crash.txt.
 class CrashReports {
  public:
   struct Found {
@@ -21,15 +22,15 @@ class CrashReports {
 
   explicit CrashReports(std::filesystem::path folder) : folder_(std::move(folder)) {}
 
-  /// The file for this process's report, should it crash. The folder need not exist.
+  /// File for this process's report in case of a crash. The folder need not exist.
   std::filesystem::path own_file() const;
-  /// The latest report that was not dismissed yet.
+  /// Latest report that was not dismissed.
   std::optional<Found> latest() const;
-  /// The latest is kept as crash.txt, older ones are removed.
+  /// Renames the latest report to crash.txt and removes older ones.
   void dismiss() const;
 
  private:
-  /// Latest first.
+  /// All reports, latest first.
   std::vector<Found> all() const;
 
   std::filesystem::path folder_;

@@ -42,10 +42,10 @@ std::string user_name() {
   return entry && entry->pw_name ? printable(entry->pw_name) : std::to_string(::getuid());
 }
 
-/// Field 22 of /proc/<process>/stat; 0 when there is no such process.
+/// Start time of a process: field 22 of /proc/<process>/stat; 0 where there is no such process.
 std::uint64_t start_of(std::int64_t process) {
   const std::string line = first_line(("/proc/" + std::to_string(process) + "/stat").c_str());
-  const std::size_t name_end = line.rfind(')');  // the name of a program may have spaces and brackets
+  const std::size_t name_end = line.rfind(')');  // a program's name may have spaces and brackets
   if (name_end == std::string::npos) return 0;
   std::istringstream fields(line.substr(name_end + 1));
   std::string skipped;
@@ -136,10 +136,10 @@ FileLock::Attempt FileLock::try_lock(const std::filesystem::path& path, std::int
 
 FileLock::Attempt FileLock::try_lock(const std::filesystem::path& path, std::int64_t now,
                                      const FlockCall& flock) {
-  constexpr int attempts = 100;  // each retry means that a holder has just gone
+  constexpr int attempts = 100;  // each retry means that a holder has just released it
   for (int i = 0; i < attempts; ++i) {
     int descriptor = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0644);
-    // The file of another user: it can be locked all the same, only not be written.
+    // A file of another user can be locked, though not written.
     if (descriptor < 0 && errno == EACCES)
       descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW);
     if (descriptor < 0) return unavailable(errno);
@@ -154,7 +154,7 @@ FileLock::Attempt FileLock::try_lock(const std::filesystem::path& path, std::int
       ::close(descriptor);
       return attempt;
     }
-    if (!locked) {  // a file system without locks: the owner's life decides
+    if (!locked) {  // a file system without locks: the owner decides by being alive
       Attempt attempt = taken(descriptor, false);
       if (attempt.owner && may_be_alive(*attempt.owner)) {
         ::close(descriptor);
@@ -196,7 +196,7 @@ FileLock::~FileLock() {
 
 void FileLock::release() {
   if (descriptor_ < 0) return;
-  // First the name, then the lock: who opens the name after this finds another file or none.
+  // The name is removed before the lock is released: who opens the name later finds another file or none.
   if (is_file_at(descriptor_, path_)) ::unlink(path_.c_str());
   ::close(descriptor_);
   descriptor_ = -1;

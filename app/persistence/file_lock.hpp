@@ -1,6 +1,6 @@
 #pragma once
 
-// FileLock: a file whose existence and kernel lock say that a process is using something.
+// FileLock: a file whose existence and kernel lock tell that a process uses something.
 
 #include <cstdint>
 #include <filesystem>
@@ -10,7 +10,8 @@
 
 namespace hariko {
 
-/// Who holds a lock. A process is known by its number, its start and the boot of its machine: numbers return.
+/// Holder of a lock. A process is identified by its number, its start and the boot of its machine, as numbers
+/// are reused.
 struct LockOwner {
   std::string host, user;
   std::string boot;  ///< id of the machine's boot
@@ -21,28 +22,27 @@ struct LockOwner {
   friend bool operator==(const LockOwner&, const LockOwner&) = default;
 };
 
-/// This process; `since` is 0.
+/// Identity of this process; `since` is 0.
 LockOwner this_process();
-/// Whether the process may still run. Of another machine nothing can be known: true.
+/// Whether the process may still run; always true for other machines, of which nothing is known.
 bool may_be_alive(const LockOwner& owner);
 
-/// The lock is the kernel's (flock): it ends with the process however that ends, so a file that is left
-/// behind locks nothing. Where the file system knows no locks, the file itself and the life of its owner
-/// decide.
+/// Advisory lock by the kernel (flock). It ends with the process in any case, so a file that is left behind
+/// locks nothing. On file systems without locks the file itself decides, and whether its owner is alive.
 class FileLock {
  public:
   struct Attempt;
   using FlockCall = std::function<int(int descriptor, int operation)>;
 
-  /// Takes the lock at `path`, whose folder exists. Never waits.
+  /// Tries to lock `path`, whose folder must exist. Never waits.
   static Attempt try_lock(const std::filesystem::path& path, std::int64_t now);
-  /// With another flock, for tests.
+  /// Same with another flock function, for tests.
   static Attempt try_lock(const std::filesystem::path& path, std::int64_t now, const FlockCall& flock);
 
-  FileLock() = default;  ///< holds nothing
+  FileLock() = default;  ///< holds no lock
   FileLock(FileLock&& other) noexcept;
   FileLock& operator=(FileLock&& other) noexcept;
-  /// Removes the file and gives the lock back.
+  /// Removes the file and releases the lock.
   ~FileLock();
 
   bool held() const { return descriptor_ >= 0; }
@@ -56,21 +56,22 @@ class FileLock {
   std::filesystem::path path_;
 };
 
+/// Result of an attempt to lock.
 struct FileLock::Attempt {
   enum class Outcome {
     acquired,
-    taken,        ///< another process (or another lock of this one) holds it
-    unavailable,  ///< the file cannot be made; `reason` says why
+    taken,        ///< held by another process, or by another lock of this one
+    unavailable,  ///< the file cannot be created, for `reason`
   };
   Outcome outcome = Outcome::unavailable;
-  FileLock lock;                   ///< held when acquired
-  bool certain = true;             ///< false where the file system knows no locks
-  std::optional<LockOwner> owner;  ///< when taken, where the file says so
+  FileLock lock;                   ///< held where acquired
+  bool certain = true;             ///< false on file systems without locks
+  std::optional<LockOwner> owner;  ///< where taken, as far as the file tells
   std::string reason;
 };
 
-/// Where the lock of a document lies: a hidden file beside it, so that other users and machines see it.
-/// Symbolic links are followed: two names of one file have one lock.
+/// Path of a document's lock: a hidden file beside it, so that other users and machines see it. Symbolic
+/// links are resolved: two names of one file have one lock.
 std::filesystem::path lock_path_of(const std::filesystem::path& document);
 
 }  // namespace hariko

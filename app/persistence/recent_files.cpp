@@ -45,7 +45,7 @@ std::vector<RecentEntry> RecentFiles::load() const {
 }
 
 Result<Done> RecentFiles::touch(const std::filesystem::path& path, std::int64_t now) const {
-  // Files that are gone stay in the file: a disk may be back tomorrow.
+  // Missing files stay in the list: their disk may be back tomorrow.
   std::vector<RecentEntry> entries = read();
   std::erase_if(entries, [&](const RecentEntry& entry) { return entry.path == path; });
   entries.insert(entries.begin(), {path, now});
@@ -59,7 +59,7 @@ Result<Done> RecentFiles::touch(const std::filesystem::path& path, std::int64_t 
       });
     });
   });
-  std::error_code unknown;  // writing says what is wrong
+  std::error_code unknown;  // a failure shows when the file is written
   std::filesystem::create_directories(file_.parent_path(), unknown);
   return write_file_atomic(file_, json.take() + "\n");
 }

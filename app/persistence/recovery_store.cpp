@@ -23,7 +23,7 @@ Message folder_error(const fs::path& folder, const std::string& reason) {
       "Save often, and free space or repair the permissions of this folder.");
 }
 
-/// Beside the folder and not in it: the folder must never be seen without its lock.
+/// Path of a folder's lock. It is beside the folder, which must never exist without its lock.
 fs::path lock_path(fs::path folder) {
   return folder += lock_end;
 }
@@ -32,11 +32,11 @@ Result<Done> make_folder(const fs::path& folder) {
   std::error_code error;
   fs::create_directories(folder, error);
   if (error) return folder_error(folder, error.message());
-  fs::permissions(folder, fs::perms::owner_all, error);  // documents are nobody else's business
+  fs::permissions(folder, fs::perms::owner_all, error);  // documents are private to their user
   return Done{};
 }
 
-/// Whether saving again would change nothing: then nothing is lost.
+/// Whether the original file has the copy's document, so that nothing is lost without the copy.
 bool original_holds(const RecoveryCopy& copy) {
   if (copy.note.original.empty()) return false;
   const auto original = load_document(copy.note.original);
@@ -138,7 +138,7 @@ std::vector<Leftover> RecoveryStore::leftovers(std::int64_t now) const {
     if (std::error_code unknown; it->is_directory(unknown)) folders.push_back(it->path());
   for (const fs::path& folder : folders) {
     const auto slot = adopt(folder.filename().string(), now);
-    if (!slot.ok()) continue;  // its session lives
+    if (!slot.ok()) continue;  // its session is running
     if (auto leftover = describe(*slot)) {
       found.push_back(std::move(*leftover));
       continue;

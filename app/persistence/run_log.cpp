@@ -36,7 +36,7 @@ std::string without_home(std::string text, const std::string& home) {
   return text;
 }
 
-/// A line is one write at the end of the file: windows do not mix theirs.
+/// Appends a line by a single write, so that lines of several windows do not mix.
 void append(const fs::path& file, const std::string& line) {
   const int descriptor = ::open(file.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC | O_NONBLOCK, 0600);
   if (descriptor < 0) return;
@@ -54,14 +54,14 @@ RunLog::RunLog(fs::path folder) {
 void RunLog::line(std::string_view what, std::string_view text) const noexcept {
   if (file_.empty()) return;
   try {
-    std::error_code unknown;  // then the file cannot be opened either
+    std::error_code unknown;  // the file cannot be opened then either
     fs::create_directories(file_.parent_path(), unknown);
     if (const auto size = fs::file_size(file_, unknown); !unknown && size >= largest)
       fs::rename(file_, file_.parent_path() / "log.old.txt", unknown);
     append(file_, time_text() + " " + std::to_string(::getpid()) + " " + std::string(what) + " " +
                       printable(without_home(std::string(text), home_), longest_text) + "\n");
   } catch (const std::exception&) {
-    // Not even memory for a line: the program has other worries.
+    // Not enough memory even for a line.
   }
 }
 

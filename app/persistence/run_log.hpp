@@ -1,6 +1,6 @@
 #pragma once
 
-// RunLog: what happened in the last runs, a line each, for reports about mistakes.
+// RunLog: log of the last runs, one line for each event, for error reports.
 
 #include <filesystem>
 #include <string>
@@ -8,22 +8,24 @@
 
 namespace hariko {
 
-/// "2026-11-25T16:02:11Z 4711 opened vase.hariko", in log.txt of the folder. All windows write to the same
-/// file. Files are named without their folders, and the user's home folder is "~" wherever it is named. The
-/// log never stands in the way: what cannot be written is left out.
+/// Log file log.txt in a folder, with lines like "2026-11-25T16:02:11Z 4711 opened vase.hariko". All windows
+/// write to the same file. Files are named without their folders, and the user's home folder is written as
+/// "~". Failures to write are ignored.
 class RunLog {
  public:
-  static constexpr std::size_t largest = 256 * 1024;  ///< bytes; then log.txt becomes log.old.txt
+  /// Bytes, above which log.txt is renamed to log.old.txt.
+  static constexpr std::size_t largest = 256 * 1024;
 
-  /// An empty folder logs nothing. It is made when the first line is written.
+  /// An empty folder name logs nothing. The folder is created with the first line.
   explicit RunLog(std::filesystem::path folder);
 
+  /// Appends a line.
   void line(std::string_view what, std::string_view text) const noexcept;
-  /// The last lines, at most so many bytes.
+  /// Last lines, at most this number of bytes.
   std::string tail(std::size_t bytes) const;
 
  private:
-  std::filesystem::path file_;  ///< empty for none
+  std::filesystem::path file_;  ///< empty: logs nothing
   std::string home_;
 };
 

@@ -28,7 +28,7 @@ constexpr const char *exports_member = "exports", *cad_member = "cad", *picture_
 template <class Value>
 using Names = std::initializer_list<std::pair<const char*, Value>>;
 
-/// The one list of members: `visitor` reads them from JSON or writes them to it.
+/// Visits all members of the settings, for reading from JSON and writing to it alike.
 template <class AnySettings, class Visitor>
 void visit(AnySettings& s, Visitor& visitor) {
   visitor.choice("theme", s.theme, Names<ThemeId>{{"dark", ThemeId::dark}, {"light", ThemeId::light}});
@@ -59,7 +59,7 @@ void visit(AnySettings& s, Visitor& visitor) {
   visitor.number("objects_height", s.objects_height, 0, 4000);
 }
 
-/// What the dialog that exports triangles keeps; lengths are the document's.
+/// Visits the members of a triangle export's settings; lengths are in the document's unit.
 template <class AnyExport, class Visitor>
 void visit_export(AnyExport& e, Visitor& visitor) {
   using By = ExportSettings::By;
@@ -125,7 +125,7 @@ void visit_drawing(AnyDrawing& d, Visitor& visitor) {
   visitor.flag("hidden", d.hidden);
 }
 
-/// ".stl" for "stl"; nothing for what is no ending of files that are written.
+/// File ending of a format name, ".stl" for "stl"; nothing where that format is not written.
 std::optional<std::string> written_ending(const std::string& name) {
   const std::string ending = "." + name;
   const fs::path file = "a" + ending;
@@ -133,7 +133,8 @@ std::optional<std::string> written_ending(const std::string& name) {
   return ending;
 }
 
-/// Discarded where it is no JSON, or nested deeper than any settings: writing it again goes as deep.
+/// Parsed JSON; discarded where it is invalid, or nested deeper than any settings, as writing it recurses as
+/// deep.
 Json parsed(std::string_view text) {
   constexpr int deepest = 32;
   bool too_deep = false;
@@ -145,14 +146,14 @@ Json parsed(std::string_view text) {
   return too_deep ? Json(Json::value_t::discarded) : json;
 }
 
-/// What it is, or what it becomes.
+/// Member as an object, replaced by an empty one where it is not.
 Json& object_at(Json& json, const std::string& name) {
   Json& member = json[name];
   if (!member.is_object()) member = Json::object();
   return member;
 }
 
-/// Takes what is right and remembers the names of what is not.
+/// Reads valid members and remembers the names of invalid ones.
 class Reader {
  public:
   explicit Reader(const Json& json, std::string place = {}) : json_(json), place_(std::move(place)) {}
@@ -195,7 +196,7 @@ class Reader {
       else
         refuse(name + ("." + shortened(key, 120)));
   }
-  /// Of the formats that this version writes.
+  /// Reads the choices for formats that this version writes.
   void exports(ExportMemory& memory) {
     const Json* json = find(exports_member);
     if (!json) return;
@@ -229,7 +230,7 @@ class Reader {
   void refuse(const std::string& name) { wrong_ += (wrong_.empty() ? "" : ", ") + place_ + name; }
 
   const Json& json_;
-  std::string place_;  ///< before the names of members
+  std::string place_;  ///< prefix of the members' names
   std::string wrong_;
 };
 
@@ -253,7 +254,7 @@ class Writer {
       Writer inner(object_at(json, ending.substr(1)));
       visit_export(settings, inner);
     }
-    // One after the other: a new member moves the others.
+    // One after the other: a new member may move the others in memory.
     Writer picture(object_at(json, picture_member));
     visit_picture(memory.picture, picture);
     Writer drawing(object_at(json, drawing_member));
@@ -267,7 +268,7 @@ class Writer {
   Json& json_;
 };
 
-/// Where a broken file is kept: the first free name.
+/// Name for keeping a broken file: the first free one.
 fs::path aside(const fs::path& file) {
   std::error_code unknown;
   for (int i = 1;; ++i) {
@@ -330,7 +331,7 @@ Result<Done> SettingsFile::save(const Settings& settings, const ExportMemory& ex
   Writer writer(json);
   visit(settings, writer);
   writer.exports(exports);
-  std::error_code unknown;  // writing says what is wrong
+  std::error_code unknown;  // a failure shows when the file is written
   fs::create_directories(file_.parent_path(), unknown);
   kept_ = json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
   return write_file_atomic(file_, kept_);

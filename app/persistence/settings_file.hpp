@@ -1,6 +1,6 @@
 #pragma once
 
-// SettingsFile: the user's settings, and what was chosen for exports, as JSON.
+// SettingsFile: the user's settings, and the choices of the export dialogs, as JSON.
 
 #include <filesystem>
 #include <string>
@@ -16,31 +16,34 @@ namespace hariko {
 inline constexpr Code w_settings_broken{"W_SETTINGS_BROKEN"};
 inline constexpr Code w_settings_value{"W_SETTINGS_VALUE"};
 
-/// All settings as JSON, and back; what is missing or wrong has its default.
+/// JSON of all settings.
 std::string settings_text(const Settings& settings);
+/// Settings from JSON; missing or wrong members have their defaults.
 Settings settings_of(std::string_view text);
 
-/// Nothing in the file can keep the program from starting: what is missing or wrong has its default.
+/// File of settings. Nothing in it can keep the program from starting: missing or wrong members have their
+/// defaults.
 class SettingsFile {
  public:
   explicit SettingsFile(std::filesystem::path file) : file_(std::move(file)) {}
 
+  /// Content of the file, with its problems.
   struct Loaded {
     Settings settings;
     ExportMemory exports;
-    /// W_SETTINGS_BROKEN: it is no JSON object; it was renamed, and the text says to what. W_SETTINGS_VALUE:
-    /// names the members that were not used.
+    /// W_SETTINGS_BROKEN: the file was no JSON object and was renamed, to the name in the text.
+    /// W_SETTINGS_VALUE: names the members that were not used. Errors of reading an existing file.
     std::vector<Message> problems;
   };
+  /// Reads the file; defaults where there is none.
   Loaded load();
-  /// Keeps members of the file that this version does not know, and mesh and CAD formats that `exports` does
-  /// not have.
-  /// Errors: E_FILE_WRITE.
+  /// Writes the settings. Keeps members of the file that this version does not know, and mesh and CAD formats
+  /// that `exports` lacks. Errors: E_FILE_WRITE.
   Result<Done> save(const Settings& settings, const ExportMemory& exports);
 
  private:
   std::filesystem::path file_;
-  std::string kept_;  ///< text of the file that was loaded or saved last
+  std::string kept_;  ///< text of the file as last loaded or saved
 };
 
 }  // namespace hariko

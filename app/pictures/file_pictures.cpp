@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Sections and path of a skin, in the colours that they have in the window.
+/// Adds sections and path of a skin, in the colours of the window.
 void add_sections(const Object& object, Scene& scene) {
   const SkinView view = view_of(*object.skin()->skin, nullptr);
   const auto add = [&](const std::vector<Vector3>& curve, const char* colour, float width) {
@@ -34,7 +34,7 @@ SceneObject part_of(const Document& document, const std::shared_ptr<const Object
   out.mesh = builder.build(object, neighbours_of(document, object->id), Quality::final, cancel).mesh;
   out.polyhedron = lines_of(document, *object);
   out.transform = matrix_of(object->transform);
-  // The network of anything but a polyhedron is dense, and would hide what the surface was made from.
+  // The network of anything but a polyhedron is dense and would hide the source.
   out.show_network = !object->skin() && !object->solids() && !object->outline();
   out.show_polyhedron = object->polyhedron() || object->solids() || object->outline();
   // Points of a dense cage would hide it.
@@ -79,8 +79,8 @@ ImTextureID upload_picture(const Image& image) {
   GLuint texture = 0;
   glGenTextures(1, &texture);
   glBindTexture(GL_TEXTURE_2D, texture);
-  // Without smaller levels: pictures are about as large as they are shown, and a software renderer compiles a
-  // program to make levels, which takes as long as half a start.
+  // Without mipmaps: pictures are shown at about their own size, and a software renderer compiles a program
+  // to make mipmaps, which takes as long as half a start.
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
   glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, image.width, image.height, 0, GL_RGBA, GL_UNSIGNED_BYTE,

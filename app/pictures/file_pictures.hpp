@@ -1,6 +1,6 @@
 #pragma once
 
-// Small pictures of documents: what they show, and textures of them for the interface.
+// Thumbnails of documents: their scenes, pictures and textures for the interface.
 
 #include <imgui.h>
 
@@ -12,17 +12,17 @@
 
 namespace hariko {
 
-/// Contents of the picture of a file: surfaces and what they are made from. Without objects when the file
-/// cannot be read. For a worker.
+/// Scene of a file's thumbnail: surfaces and their sources. Without objects where the file cannot be read.
+/// For a worker.
 Scene file_scene(const std::filesystem::path& path, const CancelToken& cancel);
-/// The camera of such a picture, with a margin round the model.
+/// Camera of a thumbnail, with a margin round the model.
 Camera file_camera(const Scene& scene, PixelSize size);
 
-/// Draws it; nothing when there is nothing to see. Uses the renderer's `thumbnail_picture`.
+/// Draws a thumbnail; nothing where there is nothing to show. Uses the renderer's `thumbnail_picture`.
 std::optional<Image> draw_picture(Renderer& renderer, const Scene& scene, PixelSize size);
-/// Makes a texture that lives as long as the GL context, or until it is released.
+/// Makes a texture that lives until it is released, or as long as the GL context.
 ImTextureID upload_picture(const Image& image);
-/// Frees a picture that nothing shows any more; null is fine.
+/// Frees the texture of a picture that is not shown any more; null is allowed.
 void release_picture(ImTextureID picture);
 
 }  // namespace hariko

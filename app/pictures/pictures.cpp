@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Another content of the file, another key. FNV-1a.
+/// Cache key of a file, which changes with its content. FNV-1a.
 std::string key_of(const fs::path& file) {
   std::string text = file_uri(file);
   if (const auto stamp = stamp_of(file))
@@ -29,7 +29,7 @@ std::string key_of(const fs::path& file) {
   return name;
 }
 
-/// Pictures of files that changed or went are never asked for again: the oldest go.
+/// Removes the oldest pictures: those of changed or deleted files are never requested again.
 void prune(const fs::path& cache) {
   constexpr std::size_t most = 200;
   std::vector<std::pair<fs::file_time_type, fs::path>> found;
@@ -44,8 +44,8 @@ void prune(const fs::path& cache) {
 
 struct Found {
   std::string key;
-  std::optional<Image> image;  ///< of the cache
-  Scene scene;                 ///< else what to draw
+  std::optional<Image> image;  ///< from the cache
+  Scene scene;                 ///< to be drawn where the cache has none
 };
 
 }  // namespace

@@ -1,6 +1,6 @@
 #pragma once
 
-// Pictures: what files look like, small, for the start page. Made once and kept in the cache.
+// Pictures: thumbnails of files for the start page, made once and kept in the cache.
 
 #include <imgui.h>
 
@@ -14,7 +14,8 @@
 
 namespace hariko {
 
-/// For the main thread, with the GL context of the renderer. Textures live as long as the context.
+/// Thumbnails as textures, which live as long as the GL context. For the main thread, with the renderer's
+/// context.
 class Pictures {
  public:
   Pictures(Renderer& renderer, BackgroundWork& background, std::filesystem::path cache)
@@ -22,7 +23,7 @@ class Pictures {
 
   static constexpr PixelSize size{256, 192};
 
-  /// Gives the picture of a document or mesh file to `done`, at once or later; never where there is none.
+  /// Passes the picture of a document or mesh file to `done`, now or later; never where there is none.
   void request(const std::filesystem::path& file, std::function<void(ImTextureID)> done);
 
  private:
@@ -32,7 +33,7 @@ class Pictures {
   Renderer& renderer_;
   BackgroundWork& background_;
   std::filesystem::path cache_;
-  std::map<std::string, ImTextureID> textures_;  ///< null: there is none
+  std::map<std::string, ImTextureID> textures_;  ///< null: no picture
 };
 
 }  // namespace hariko

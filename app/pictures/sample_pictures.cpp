@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// The size of a card of the start page at about one and a half times its design size.
+/// Size of a sample's picture: one and a half times a card of the start page.
 constexpr PixelSize picture_size{360, 240};
 
 fs::path picture_file(const fs::path& folder, const fs::path& sample, ThemeId theme) {
@@ -38,13 +38,13 @@ Result<Done> draw_sample(PictureDrawer& drawer, const Sample& sample, const fs::
   return Done{};
 }
 
-/// In a texture whose sides are powers of two, as the fonts have one: a software renderer compiles a program
-/// for any other, a tenth of the time of a start.
+/// Uploads into a texture with sides that are powers of two, like the font atlas: a software renderer
+/// compiles a program for any other size, which takes a tenth of the start.
 Picture upload_padded(const Image& image) {
   const auto power = [](int side) { return static_cast<int>(std::bit_ceil(static_cast<unsigned>(side))); };
   Image padded(power(image.width), power(image.height));
   const std::size_t row = 4 * static_cast<std::size_t>(image.width);
-  // The last column and row go on, as what is between two pixels is taken from both.
+  // The last column and row are repeated, as filtering uses adjacent pixels.
   for (int y = 0; y < padded.height; ++y) {
     const std::uint8_t* from = image.pixel(0, std::min(y, image.height - 1));
     std::uint8_t* to = std::copy_n(from, row, padded.pixel(0, y));

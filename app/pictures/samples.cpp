@@ -17,7 +17,7 @@ struct Description {
   const char* text;
 };
 
-/// In the order in which they are shown.
+/// Known samples, in display order.
 constexpr Description descriptions[] = {
     {"car", Beginning::polyhedron, "Car body", "A body from a coarse cage"},
     {"fig2", Beginning::polyhedron, "Vase", "Three hexagon rings, closed"},
@@ -72,7 +72,7 @@ constexpr Description descriptions[] = {
     {"catenoid", Beginning::outline, "Catenoid", "A saddle everywhere, between two rings"},
 };
 
-/// Its place among the descriptions; their number for one that has none.
+/// Position of a sample among the descriptions; their number where it has none.
 std::size_t place_of(const fs::path& path) {
   const auto found = std::find_if(std::begin(descriptions), std::end(descriptions),
                                   [stem = path.stem().string()](const auto& d) { return stem == d.stem; });
@@ -106,7 +106,7 @@ std::vector<Sample> find_samples(const fs::path& assets) {
     if (const auto extension = it->path().extension(); extension == ".hariko" || extension == ".obj")
       paths.insert(it->path());
   for (const fs::path& path : paths) {
-    // A document made from a mesh of the same name stands for both.
+    // A document made from a mesh of the same name represents both.
     if (path.extension() == ".obj" && paths.contains(fs::path(path).replace_extension(".hariko"))) continue;
     samples.push_back(describe(path));
   }

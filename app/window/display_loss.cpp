@@ -9,14 +9,14 @@ namespace hariko {
 
 namespace {
 
-/// Xlib's handler has no user data, and there is one for the process.
+/// Function for Xlib's handler, which has no user data and exists once in the process.
 std::function<void()>& words() {
   static std::function<void()> action;
   return action;
 }
 
 int display_lost(Display*) {
-  // Several threads may find out at once: the first one writes, the others wait for the end.
+  // Several threads may notice at once: the first one acts, the others wait for the end.
   static std::atomic_flag begun;
   if (begun.test_and_set())
     for (;;) ::pause();

@@ -18,10 +18,10 @@ namespace hariko {
 struct GlWindow::State {
   GLFWwindow* window = nullptr;
   Metrics metrics;
-  std::optional<FontRequest> fonts;  ///< in the atlas; none before the first frame
+  std::optional<FontRequest> fonts;  ///< request of the present atlas; none before the first frame
   ThemeId theme = ThemeId::dark;
   Palette palette{};
-  float monitor_scale = 0;  // 0: not known yet
+  float monitor_scale = 0;  // 0: unknown
   std::string title;
   std::vector<KeyPress> keys;
   std::vector<std::filesystem::path> drops;
@@ -29,13 +29,13 @@ struct GlWindow::State {
   bool close = false, redraw = false;
 
   InputQueue queue;
-  std::vector<InputEvent> batch;  // what the next frame sees
+  std::vector<InputEvent> batch;  // input of the next frame
   ImVec2 pointer{-FLT_MAX, -FLT_MAX};
   std::array<bool, 5> buttons{};
   std::optional<double> replayed_now;
   FrameClock clock;
 
-  /// What the user does; a replay is not disturbed by it.
+  /// Queues an event of the user, unless a replay runs.
   void from_user(InputEvent event) {
     redraw = true;
     event.came_at = glfwGetTime();
@@ -55,14 +55,14 @@ struct GlWindow::State {
 
 namespace {
 
-/// GLFW reports errors through a callback without user data; this is written by the main thread only.
+/// Last GLFW error, reported through a callback without user data; written by the main thread only.
 std::string& last_glfw_error() {
   static std::string text;
   return text;
 }
 
-/// GLFW names keys by their places on an American keyboard. Letters are meant by what is printed on them:
-/// Ctrl+Z is where the layout has its Z.
+/// Key code by the printed letter. GLFW names keys by their places on an American keyboard, but shortcuts
+/// mean the layout's letters: Ctrl+Z is where the layout has its Z.
 int letter_of(int key, int scancode) {
   const bool printed = key >= GLFW_KEY_APOSTROPHE && key <= GLFW_KEY_GRAVE_ACCENT;
   if (!printed || (key >= GLFW_KEY_0 && key <= GLFW_KEY_9)) return key;  // digits may need Shift: by place
@@ -72,7 +72,7 @@ int letter_of(int key, int scancode) {
   return KeyChord{upper}.is_known() ? upper : key;
 }
 
-/// "OpenGL 2.1 (NVIDIA ...)": what a context without any wish gets, for the message; empty for none.
+/// OpenGL version of a context without requirements, "OpenGL 2.1 (NVIDIA ...)", for messages; empty for none.
 std::string version_at_hand() {
   glfwDefaultWindowHints();
   glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
@@ -86,7 +86,7 @@ std::string version_at_hand() {
   return text;
 }
 
-/// Desktops put the window to the entry of their menu by this name: StartupWMClass and the file's own in
+/// Sets the name by which desktops match the window with its menu entry: StartupWMClass and the file name of
 /// hariko.desktop.
 void name_for_desktop() {
   glfwWindowHintString(GLFW_X11_CLASS_NAME, "hariko");
@@ -96,7 +96,7 @@ void name_for_desktop() {
 #endif
 }
 
-/// Wayland's desktops take the icon from the menu entry, and GLFW tells them so as an error.
+/// Sets the icons. On Wayland, desktops take the icon from the menu entry, and GLFW reports that as an error.
 void set_icons(GLFWwindow* window, std::vector<Image> icons) {
   std::vector<GLFWimage> images;
   for (Image& icon : icons) images.push_back({icon.width, icon.height, icon.rgba.data()});
@@ -108,7 +108,7 @@ void set_icons(GLFWwindow* window, std::vector<Image> icons) {
 GlWindow::GlWindow(std::unique_ptr<State> state) : state_(std::move(state)) {
   GLFWwindow* window = state_->window;
   glfwSetWindowUserPointer(window, state_.get());
-  // ImGui's backend gets its events from `deliver`, one batch a frame.
+  // ImGui's backend gets its events from `deliver`, one batch for each frame.
   static constexpr auto state_of =
       +[](GLFWwindow* w) -> State& { return *static_cast<State*>(glfwGetWindowUserPointer(w)); };
   using Kind = InputEvent::Kind;
@@ -161,7 +161,7 @@ GlWindow::GlWindow(std::unique_ptr<State> state) : state_(std::move(state)) {
   ImGui::CreateContext();
   ImGui::GetIO().IniFilename = nullptr;
 #if IMGUI_VERSION_NUM >= 18700
-  // The input queue decides what a frame sees; a second one behind it would let the pointer lag.
+  // The input queue decides what a frame gets; a second queue after it would make the pointer lag.
   ImGui::GetIO().ConfigInputTrickleEventQueue = false;
 #endif
   float scale_x = 1, scale_y = 1;
@@ -186,12 +186,12 @@ Result<std::unique_ptr<GlWindow>> GlWindow::open(const Options& options) {
   if (!glfwInit())
     return make_error(e_no_display, "No window can be opened: " + last_glfw_error() + ".",
                       "Start Hariko in a graphical session, or use it from the command line: hariko --help.");
-  auto state = std::make_unique<State>();  // ends GLFW again
+  auto state = std::make_unique<State>();  // its destructor terminates GLFW
   glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
   glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
   glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
   glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
-  glfwWindowHint(GLFW_SAMPLES, 0);  // the renderer has its own multisampled picture
+  glfwWindowHint(GLFW_SAMPLES, 0);  // the renderer has its own multisampled framebuffer
   glfwWindowHint(GLFW_DEPTH_BITS, 0);
   name_for_desktop();
   int width = options.width, height = options.height;
@@ -240,7 +240,7 @@ void GlWindow::replay(double now, const std::vector<InputEvent>& batch) {
   for (const InputEvent& event : batch) state_->queue.push(event);
 }
 
-/// The one way in for what users do and what a replay says that they did.
+/// Single entry point for events of the user and of replays.
 void GlWindow::deliver(const InputEvent& event) {
   State& s = *state_;
   using Kind = InputEvent::Kind;
@@ -249,7 +249,7 @@ void GlWindow::deliver(const InputEvent& event) {
       s.pointer = {static_cast<float>(event.x), static_cast<float>(event.y)};
       break;
     case Kind::leave:
-      // A drag goes on outside of the window.
+      // A drag continues outside the window.
       if (std::none_of(s.buttons.begin(), s.buttons.end(), [](bool down) { return down; }))
         s.pointer = {-FLT_MAX, -FLT_MAX};
       break;
@@ -266,14 +266,14 @@ void GlWindow::deliver(const InputEvent& event) {
                                  : event.down   ? GLFW_PRESS
                                                 : GLFW_RELEASE,
                                  event.modifiers);
-      // The key of the desktop makes no chords of ours.
+      // The desktop's key (Super) forms no shortcuts of this program.
       if (event.down && (event.modifiers & GLFW_MOD_SUPER) == 0)
         s.keys.push_back({{event.meant, (event.modifiers & GLFW_MOD_CONTROL) != 0,
                            (event.modifiers & GLFW_MOD_SHIFT) != 0, (event.modifiers & GLFW_MOD_ALT) != 0}});
       break;
     case Kind::text:
       ImGui_ImplGlfw_CharCallback(s.window, static_cast<unsigned>(event.code));
-      // The character of a key comes right after the key.
+      // The character of a key follows the key directly.
       if (!s.keys.empty() && s.keys.back().text == 0) s.keys.back().text = static_cast<char32_t>(event.code);
       s.typed += static_cast<char32_t>(event.code);
       break;
@@ -309,9 +309,9 @@ bool GlWindow::set_appearance(ThemeId theme, float interface_scale) {
 void GlWindow::begin_frame() {
   ImGui_ImplOpenGL3_NewFrame();
   ImGui_ImplGlfw_NewFrame();
-  // The backend asks the desktop where the pointer is now; the frame sees where it was at its batch.
+  // The backend queries the present pointer position; the frame must get that of its batch.
   ImGuiIO& io = ImGui::GetIO();
-#if IMGUI_VERSION_NUM >= 18700  // which keeps a queue of its own
+#if IMGUI_VERSION_NUM >= 18700  // this version has a queue of its own
   io.AddMousePosEvent(state_->pointer.x, state_->pointer.y);
   for (std::size_t i = 0; i < state_->buttons.size(); ++i)
     io.AddMouseButtonEvent(static_cast<int>(i), state_->buttons[i]);
@@ -354,7 +354,7 @@ void GlWindow::set_fonts(FontRequest request) {
   const bool first = !state_->fonts;
   state_->fonts = std::move(request);
   load_fonts(*state_->fonts);
-  if (first) return;  // the backend takes up the atlas when the first frame begins
+  if (first) return;  // the backend uploads the atlas when the first frame begins
   ImGui_ImplOpenGL3_DestroyFontsTexture();
   ImGui_ImplOpenGL3_CreateFontsTexture();
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-// GlWindow: a window of the desktop with an OpenGL context and ImGui in it.
+// GlWindow: a desktop window with an OpenGL context and ImGui.
 
 #include <filesystem>
 #include <memory>
@@ -19,59 +19,65 @@ namespace hariko {
 inline constexpr Code e_no_display{"E_NO_DISPLAY"};
 inline constexpr Code e_no_window{"E_NO_WINDOW"};
 
-/// One a process. All calls from the main thread, but for `wake`.
+/// Window of the program, one for each process. All calls from the main thread, except `wake`.
 class GlWindow {
  public:
   struct Options {
     std::string title;
     int width = 1440, height = 900;  ///< screen coordinates
-    double scale = 0;                ///< of the interface instead of the monitor's; 0 for the monitor's
-    std::vector<Image> icons = {};   ///< of the window, in the sizes that there are; the desktop chooses
+    double scale = 0;                ///< scale of the interface instead of the monitor's; 0: the monitor's
+    std::vector<Image> icons = {};   ///< window icons in the available sizes; the desktop chooses
   };
-  /// Errors: E_NO_DISPLAY, E_NO_WINDOW (no OpenGL 3.3), both with what to do.
+  /// Opens the window. Errors: E_NO_DISPLAY, E_NO_WINDOW (no OpenGL 3.3), both with advice.
   static Result<std::unique_ptr<GlWindow>> open(const Options& options);
   ~GlWindow();
   GlWindow(const GlWindow&) = delete;
   GlWindow& operator=(const GlWindow&) = delete;
 
-  /// Waits for input, a `wake` or the time to pass; 0 looks without waiting. True when there was input: one
-  /// batch of it (see InputQueue) is then what the next frame sees.
+  /// Waits for input, a `wake` or the time to pass; with 0 polls without waiting. True where there was input:
+  /// the next frame then gets one batch of it (see InputQueue).
   bool wait(double seconds, bool keys_wait = false);
-  /// That batch.
+  /// Batch of input for the next frame.
   const std::vector<InputEvent>& input() const;
-  /// When it came, of the same clock as `now`; without input the present. What ImGui's times go by.
+  /// Time of that batch, of the same clock as `now`; without input the present. ImGui's times follow it.
   double input_time() const;
-  /// From now on the window sees this input and time instead of the user's and the clock's.
+  /// Replaces the user's input and the clock by this input and time, from now on.
   void replay(double now, const std::vector<InputEvent>& batch);
-  /// Ends the wait. From any thread.
+  /// Ends `wait`. From any thread.
   static void wake();
 
-  /// Colours and size from the next frame on; between frames only. True when something changed.
+  /// Sets colours and size from the next frame on; only between frames. True where something changed.
   bool set_appearance(ThemeId theme, float interface_scale);
+  /// Begins a frame of ImGui with the present batch of input.
   void begin_frame();
-  /// Milliseconds: OpenGL drawing the interface, and showing the frame, which may wait for the screen.
+  /// Milliseconds for drawing the interface by OpenGL, and for showing the frame, which may wait for the
+  /// screen.
   struct FrameEnd {
     double drawing = 0, showing = 0;
   };
-  /// When `measure`, waits until OpenGL is finished.
+  /// Ends the frame; with `measure` waits until OpenGL is finished.
   FrameEnd end_frame(bool measure = false);
 
+  /// Key presses since the last call.
   std::vector<KeyPress> take_keys();
+  /// Files that were dropped on the window since the last call.
   std::vector<std::filesystem::path> take_drops();
   /// Characters that were typed or came from an input method since the last call.
   std::u32string take_typed();
-  /// The user wants to close the window; asked once.
+  /// Whether the user asked to close the window since the last call.
   bool take_close();
   void set_title(const std::string& title);
+  /// Sizes of the interface at the present scale.
   const Metrics& metrics() const;
+  /// Size of the window in screen coordinates.
   int width() const;
   int height() const;
-  /// The monitor's scale or the one asked for.
+  /// Scale of the monitor, or the one that was requested.
   double monitor_scale() const;
   /// Seconds of a steady clock.
   double now() const;
-  /// Makes the fonts write this from the next frame on; the window knows its own scale. Does nothing when
-  /// they do already. Not within a frame.
+  /// Loads fonts for this request from the next frame on; the window adds its own scale. Does nothing where
+  /// they are loaded already. Not within a frame.
   void set_fonts(FontRequest request);
 
  private:

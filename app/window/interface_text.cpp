@@ -46,12 +46,12 @@ void InterfaceText::update(Editor& editor, const Offers& offers, GlWindow& windo
   for (const char32_t point : window.take_typed())
     if (needs_japanese_font(point)) of_names_.insert(point);
   FontRequest request;
-  // Who has Japanese names types more of them: all common characters at once instead of a new atlas for each.
-  // The interface itself has a fifth of them, which its start does not wait for.
+  // Users with Japanese names type more of them: all common characters are loaded at once instead of a new
+  // atlas for each. The interface itself needs a fifth of them, so its start does not wait for the others.
   request.japanese = !of_names_.empty();
   request.characters = of_catalogue_;
   request.characters.insert(of_names_.begin(), of_names_.end());
-  // The name of the language is offered in its own script.
+  // The language is offered by its name in its own script.
   for (const char32_t point : code_points(japanese_in_japanese)) request.characters.insert(point);
   window.set_fonts(std::move(request));
 }

@@ -1,7 +1,6 @@
 #pragma once
 
-// InterfaceText: keeps the catalogue and the fonts at what the settings, the document and the keyboard ask
-// for.
+// InterfaceText: loads the catalogue and the fonts that the settings, the document and the keyboard need.
 
 #include <filesystem>
 
@@ -11,14 +10,15 @@
 
 namespace hariko {
 
+/// Catalogue and fonts of the interface.
 class InterfaceText {
  public:
-  /// `catalogues`: the folder with "ja.json".
+  /// `catalogues`: folder with "ja.json".
   explicit InterfaceText(std::filesystem::path catalogues) : folder_(std::move(catalogues)) {}
 
-  /// Before a frame. Loads the catalogue of the language that the settings name, and fonts for the characters
-  /// of object names, of files that are offered and of what is typed. Where a language cannot be had it sets
-  /// English again and says why.
+  /// Loads the catalogue of the language in the settings, and fonts for the characters of object names,
+  /// offered files and typed text. Where a language cannot be loaded it sets English again and says why. To
+  /// be called before a frame.
   void update(Editor& editor, const Offers& offers, GlWindow& window);
 
  private:
@@ -26,13 +26,13 @@ class InterfaceText {
   void collect_names(const Editor& editor, const Offers& offers);
 
   std::filesystem::path folder_;
-  LanguageId language_ = LanguageId::english;  ///< that `editor.language` holds
+  LanguageId language_ = LanguageId::english;  ///< language that `editor.language` holds
   std::set<char32_t> of_catalogue_, of_names_;
   std::uint64_t names_serial_ = ~std::uint64_t{0};
-  std::size_t offered_ = 0;  ///< how many files were offered when names were collected
+  std::size_t offered_ = 0;  ///< number of offered files when names were collected
 };
 
-/// The name of a language's catalogue; empty for English, which needs none.
+/// Name of a language's catalogue; empty for English, which needs none.
 std::string catalogue_name(LanguageId language);
 
 }  // namespace hariko

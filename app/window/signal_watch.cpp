@@ -24,7 +24,7 @@ sigset_t ending_signals() {
   return set;
 }
 
-/// As a shell names the end by a signal.
+/// Ends the process with a shell's exit code for a signal.
 [[noreturn]] void end_process(int signal) {
   ::_exit(128 + signal);
 }
@@ -32,13 +32,13 @@ sigset_t ending_signals() {
 }  // namespace
 
 SignalWatch::SignalWatch() {
-  // The X server's end is a write into a closed socket first of all.
+  // The end of the X server appears first as a write to a closed socket.
   ::signal(SIGPIPE, SIG_IGN);
   const sigset_t set = ending_signals();
   ::pthread_sigmask(SIG_BLOCK, &set, nullptr);
   signals_ = ::signalfd(-1, &set, SFD_CLOEXEC | SFD_NONBLOCK);
   stop_ = ::eventfd(0, EFD_CLOEXEC);
-  if (signals_ < 0 || stop_ < 0) {  // no descriptors left: signals end the program as they always did
+  if (signals_ < 0 || stop_ < 0) {  // no descriptors left: signals keep their default actions
     ::pthread_sigmask(SIG_UNBLOCK, &set, nullptr);
     return;
   }
@@ -48,7 +48,7 @@ SignalWatch::SignalWatch() {
 SignalWatch::~SignalWatch() {
   if (thread_.joinable()) {
     const std::uint64_t one = 1;
-    // An eventfd takes eight bytes whole; there is nothing to repeat.
+    // An eventfd takes eight bytes at once; nothing needs to be repeated.
     if (::write(stop_, &one, sizeof one) == sizeof one)
       thread_.join();
     else
@@ -70,7 +70,7 @@ void SignalWatch::watch() {
     const int ready = ::poll(sources.data(), sources.size(), first != 0 ? patience * 1000 : -1);
     if (ready < 0 && errno == EINTR) continue;
     if (sources[1].revents != 0) return;
-    if (first != 0) end_process(first);  // the time is over, or it is asked for again
+    if (first != 0) end_process(first);  // the time is over, or a second signal came
     signalfd_siginfo info{};
     if (::read(signals_, &info, sizeof info) != sizeof info) continue;
     first = static_cast<int>(info.ssi_signo);

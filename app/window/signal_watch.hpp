@@ -1,7 +1,7 @@
 #pragma once
 
-// SignalWatch: requests to end (SIGTERM, SIGHUP, SIGINT) as calls on a thread of its own, where everything is
-// allowed that is not within a signal handler.
+// SignalWatch: signals to end (SIGTERM, SIGHUP, SIGINT) as calls on a thread of its own, free of the
+// restrictions of signal handlers.
 
 #include <functional>
 #include <mutex>
@@ -9,8 +9,8 @@
 
 namespace hariko {
 
-/// Make it before any other thread: those inherit that the signals are blocked. Signals that were ignored
-/// when the program started (nohup) stay ignored.
+/// Watches signals. To be created before any other thread, which then inherit that the signals are blocked.
+/// Signals that were ignored when the program started (nohup) stay ignored.
 class SignalWatch {
  public:
   SignalWatch();
@@ -18,9 +18,9 @@ class SignalWatch {
   SignalWatch(const SignalWatch&) = delete;
   SignalWatch& operator=(const SignalWatch&) = delete;
 
-  /// Calls `action` with the number of the first signal. The process ends `patience` seconds after that, or
-  /// at the next signal, if it has not ended by itself: its main thread may be stuck. Without an action it
-  /// ends at once.
+  /// Sets the function that is called with the number of the first signal. The process is ended `patience`
+  /// seconds later, or at the next signal, unless it has ended by itself: its main thread may be stuck.
+  /// Without a function it is ended immediately.
   void set_action(std::function<void(int signal)> action);
   static constexpr int patience = 5;
 
@@ -29,7 +29,7 @@ class SignalWatch {
 
   std::mutex mutex_;
   std::function<void(int)> action_;
-  int signals_ = -1, stop_ = -1;  ///< descriptors
+  int signals_ = -1, stop_ = -1;  ///< file descriptors
   std::thread thread_;
 };
 

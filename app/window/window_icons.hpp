@@ -9,8 +9,8 @@
 
 namespace hariko {
 
-/// Those of the theme in `icons`/hicolor in the sizes that title bars, task bars and switchers show; none
-/// where they are not there, and then desktops take the one of the menu entry.
+/// Icons of the theme in `icons`/hicolor, in the sizes of title bars, task bars and switchers; empty where
+/// they do not exist, in which case desktops use the menu entry's icon.
 std::vector<Image> window_icons(const std::filesystem::path& icons);
 
 }  // namespace hariko

@@ -1,6 +1,6 @@
 #pragma once
 
-// WindowOptions: what the command line says about the window.
+// WindowOptions: command line options of the window.
 
 #include <filesystem>
 #include <string>
@@ -8,16 +8,17 @@
 
 namespace hariko {
 
+/// Options of the window.
 struct WindowOptions {
   std::vector<std::filesystem::path> files;  ///< the first is opened, further ones are added to it
   std::filesystem::path test_log;            ///< see TestLog; empty for none
   std::filesystem::path record, replay;      ///< see ReplayRecorder and ReplayPlayer; empty for none
-  bool skip_pauses = false;                  ///< of the replay
+  bool skip_pauses = false;                  ///< for the replay
   int width = 1440, height = 900;
-  double scale = 0;  ///< of the interface instead of the monitor's; 0 for the monitor's
+  double scale = 0;  ///< scale of the interface instead of the monitor's; 0: the monitor's
 };
 
-/// "vase.hariko, 1440 x 900": for the log, with files named without their folders.
+/// Summary for the log, "vase.hariko, 1440 x 900", with files named without their folders.
 std::string to_string(const WindowOptions& options);
 
 }  // namespace hariko

@@ -9,7 +9,7 @@ namespace hariko {
 
 namespace {
 
-/// Control point `depth` rows away from a side, `at` along it (counter-clockwise).
+/// Control point `depth` rows inside from a side, at place `at` along it (counter-clockwise).
 const Vector3& control(const BezierPatch& patch, int side, int at, int depth) {
   const int p = patch.degree_s;
   switch (side) {
@@ -24,7 +24,7 @@ const Vector3& control(const BezierPatch& patch, int side, int at, int depth) {
   }
 }
 
-/// The nearest fraction of small whole numbers, where x is one but for rounding.
+/// Nearest fraction of small whole numbers if x equals one but for rounding, else x.
 double simple_fraction(double x) {
   constexpr double rounding = 1e-9;
   constexpr double most = 4096;
@@ -41,20 +41,20 @@ double simple_fraction(double x) {
   return x;
 }
 
-/// Control points of a curve from one of its ends on.
+/// Control points of a curve, counted from one of its ends.
 using Row = std::array<Vector3, max_bezier_degree + 1>;
 
-/// Control point k of the piece of `ratio` (at most 1) of the width that continues a polynomial beyond its
-/// first end: k-fold extrapolation of its first k + 1.
+/// Control point k of the piece that continues a polynomial beyond its first end and has `ratio` (at most 1)
+/// of its width: k-fold extrapolation of its first k + 1 control points.
 Vector3 continued(Row row, int k, double ratio) {
   for (int step = k; step > 0; --step)
     for (std::size_t i = 0; i < std::size_t(step); ++i) row[i] -= ratio * (row[i + 1] - row[i]);
   return row[0];
 }
 
-/// Both rows begin where they meet, and the first `count` control points of the narrower one continue the
-/// other. Control points that are off by the tolerance are continued to some that are off by (1 + 2 ratio)^k
-/// times as much.
+/// Whether the first `count` control points of the narrower row continue the other row; both begin where they
+/// meet. The tolerance grows with extrapolation: control points off by `tolerance` are continued to control
+/// point k with an error of (1 + 2 ratio)^k times as much.
 bool agree(const Row& first, const Row& second, int count, double ratio, double tolerance) {
   const bool narrow_second = ratio <= 1;
   const Row &wide = narrow_second ? first : second, &narrow = narrow_second ? second : first;
@@ -64,7 +64,7 @@ bool agree(const Row& first, const Row& second, int count, double ratio, double 
   return true;
 }
 
-/// Across a side, from it into the patch.
+/// Row of control points from a side into the patch.
 Row row_across(const BezierPatch& patch, int side, int at) {
   Row out;
   for (int depth = 0; depth <= patch.degree_s; ++depth)

@@ -1,6 +1,6 @@
 #pragma once
 
-// Bezier patches that are neighbouring pieces of one spline.
+// Joints of neighbouring Bezier patches that are pieces of one B-spline.
 
 #include <optional>
 
@@ -8,16 +8,17 @@
 
 namespace hariko {
 
-/// Two polynomial patches of degree p by p meet along side `first_side` of the first and `second_side` of the
-/// second, which run against each other. Where they are pieces of one spline with a simple knot between them
-/// (p - 1 continuous derivatives, to `tolerance` of the control points): the width of the second patch across
-/// the side where the first is 1 wide. Simple fractions are given exactly.
+/// Width, across the joint, of the second of two polynomial patches of degree p by p that are pieces of one
+/// spline with a simple knot between them (p - 1 continuous derivatives, to `tolerance`, a length, at the
+/// control points); the first patch is 1 wide. They meet along `first_side` and `second_side`, which run
+/// against each other. Nothing where they are not such pieces. Ratios of small whole numbers are returned
+/// exactly. Asserts that both patches are polynomial and of one degree. O(p^3).
 std::optional<double> spline_joint(const BezierPatch& first, int first_side, const BezierPatch& second,
                                    int second_side, double tolerance);
 
-/// The curve along a side of a polynomial patch of degree p by p goes on (counter-clockwise) along a side of
-/// another one, `ratio` times as long in its parameter, as the same polynomial, to `tolerance` of the control
-/// points.
+/// Whether the boundary curve along a side of a polynomial patch of degree p by p continues
+/// (counter-clockwise) as the same polynomial along a side of another one, whose parameter interval is
+/// `ratio` times as long; to `tolerance`, a length, at the control points. O(p^2).
 bool one_polynomial(const BezierPatch& first, int first_side, const BezierPatch& second, int second_side,
                     double ratio, double tolerance);
 

@@ -12,7 +12,7 @@ namespace hariko {
 
 namespace {
 
-/// Cosine of the angle within which normals at a vertex are one.
+/// Cosine of the angle below which normals at a vertex count as equal.
 constexpr double common_normal = 0.9999;
 
 }  // namespace
@@ -50,7 +50,7 @@ TracedPoint CadEdges::side_point(Index number, int side, double x, bool smooth) 
   return out;
 }
 
-/// Limits from inside, as patches may have other derivatives in a corner.
+/// Limits from inside the edge, as patches may have other derivatives at the corner itself.
 CadEdges::End CadEdges::end_of(const CadEdge& edge, bool at_end) const {
   const CadUse& use = edge.uses[0];
   const CadPiece& own = piece(use);
@@ -67,7 +67,7 @@ CadEdges::End CadEdges::end_of(const CadEdge& edge, bool at_end) const {
     directions[k] = along.stableNormalized();
     if (k == 0) speed = along.norm();
   }
-  // By parabolas through three places.
+  // Extrapolation by parabolas through three places.
   out.normal = (3 * normals[0] - 3 * normals[1] + normals[2]).normalized();
   out.direction = (3 * directions[0] - 3 * directions[1] + directions[2]).normalized();
   const Vector3 turned = (4 * normals[1] - normals[2] - 3 * normals[0]) / (2 * std::abs(step));
@@ -75,9 +75,9 @@ CadEdges::End CadEdges::end_of(const CadEdge& edge, bool at_end) const {
   return out;
 }
 
-/// Round a vertex where only smooth edges meet, the normal curvatures of their curves become those of one
-/// quadratic form, the nearest to the surface's: else no smooth faces with continuous second derivatives fit
-/// between them (vertex enclosure), and knots would crowd there.
+/// Prescribes normal curvatures at vertices where only smooth edges meet: those of the one quadratic form
+/// nearest to the surface's curvatures. Otherwise no smooth faces with continuous second derivatives exist
+/// between the curves (vertex enclosure problem), and knots would accumulate there.
 void CadEdges::bend_ends(Index vertex_count) {
   ends_.resize(sides_.size());
   struct Meeting {
@@ -129,7 +129,8 @@ void CadEdges::bend_ends(Index vertex_count) {
   }
 }
 
-/// `spline`: the space of the curve where the surface is a spline there; else the fit begins with `start`.
+/// Fits the curve of one side. `spline`: its space where the surface is a spline there; otherwise the fit
+/// begins with `start`.
 FittedCurve CadEdges::curve(const SplineSpace& spline, const SplineSpace& start, Index number, int side,
                             bool smooth) const {
   const auto function = [&](double x) { return side_point(number, side, x, smooth); };
@@ -156,7 +157,7 @@ void CadEdges::take(const CadPlan& plan) {
   }
 }
 
-/// Sides with several edges have curves of their own, of which the edges take parts.
+/// Fits one curve along each side with several edges; these edges take parts of it.
 void CadEdges::fit_divided_sides(const CancelToken& cancel) {
   divided_.resize(sides_.size());
   parallel_for(sides_.size(), 16, [&](std::size_t begin, std::size_t end) {
@@ -191,7 +192,7 @@ void CadEdges::fit(CadEdge& edge) const {
   edge.curve.space.breaks.back() = span;
 }
 
-/// Part of a divided side, from 0 on.
+/// Part of the curve of a divided side, reparametrised to begin at 0.
 SplineCurve CadEdges::part(const CadUse& use) const {
   const SplineCurve& all = divided_[use.piece][std::size_t(use.side)];
   SplineSpace space{task_.degree, {0}};
@@ -205,7 +206,8 @@ SplineCurve CadEdges::part(const CadUse& use) const {
   return out;
 }
 
-/// Vertices lie at the ends of parts of divided sides, else where the first edge ends; all curves get them.
+/// Places vertices at the ends of the parts of divided sides, elsewhere at the end of the first edge, and
+/// sets the ends of all curves to them.
 void CadEdges::take_vertices(Index count) {
   vertices_.resize(count);
   std::vector<char> known(count, 0);

@@ -1,6 +1,6 @@
 #pragma once
 
-// Curves of the edges of a CAD model, common to the faces that meet there.
+// Edge curves of a CAD model, shared by the faces that meet there.
 
 #include "core/base/cancellation.hpp"
 #include "core/cad/cad_model.hpp"
@@ -9,35 +9,36 @@
 
 namespace hariko {
 
-/// Ingredients of the edges of a model.
+/// Input for the edges of a CAD model.
 struct EdgeTask {
   const std::vector<CadPiece>* pieces = nullptr;
-  const std::vector<PieceEvaluator>* points = nullptr;  ///< of the pieces
+  const std::vector<PieceEvaluator>* points = nullptr;  ///< one evaluator per piece
   int degree = 3;
   FitLimits limits;
   double size = 0;
-  /// Nearer than this a spline is the surface, as numbers from a file are rounded and continuing a polynomial
-  /// multiplies that.
+  /// Distance (a length) below which a spline counts as the surface itself: numbers from a file are rounded,
+  /// and continuing a polynomial multiplies the error.
   double rounding = 0;
-  /// No face is a spline, so that curves may leave the surface's also where those are splines.
+  /// Whether no face is exactly a spline: curves may then leave the surface's own, also where those are
+  /// splines.
   bool bends = false;
 };
 
-/// Edges, vertices, and what faces take from them.
+/// Edges and vertices of a CAD model, and the boundary curves that its faces take from them.
 class CadEdges {
  public:
-  /// The result is of no use once `cancel` is cancelled. O(pieces).
+  /// Fits the curves of all edges of the plan. The result is of no use once `cancel` is cancelled. O(pieces).
   CadEdges(const EdgeTask& task, const CadPlan& plan, const CancelToken& cancel);
 
   const std::vector<CadEdge>& edges() const { return edges_; }
   const std::vector<Vector3>& vertices() const { return vertices_; }
-  /// Edges of the four sides of a piece.
+  /// Edges along the four sides of a piece, counter-clockwise.
   const std::array<std::vector<Index>, 4>& sides(Index piece) const { return sides_[piece]; }
-  /// The curve along a side of a piece, counter-clockwise, in the side's parameter from 0 on.
+  /// Curve along a side of a piece, counter-clockwise, over the side's parameter from 0 on.
   SplineCurve side_curve(Index piece, int side) const;
   /// Control points along a side in the direction of growing s or t, in a space that holds the side's curve.
-  /// Solved for in the direction of the edge, so that both of its faces get the same bits from the same
-  /// knots.
+  /// The system is solved in the direction of the edge, so that both of its faces get the same bits from the
+  /// same knots.
   std::vector<Vector3> boundary(Index piece, int side, const SplineSpace& space) const;
   /// Breaks of the curve along a side, in the direction of growing s or t.
   std::vector<double> breaks(Index piece, int side) const;
@@ -46,19 +47,19 @@ class CadEdges {
   const CadPiece& piece(const CadUse& use) const { return (*task_.pieces)[use.piece]; }
   double length(const CadUse& use) const { return piece(use).length(use.side); }
   bool whole(const CadUse& use) const { return use.begin == 0 && use.end == length(use); }
-  /// The end, or the beginning, of a use is that of its side.
+  /// Whether the end (or else the beginning) of a use is that of its side.
   bool ends_side(const CadUse& use, bool at_end) const {
     return at_end ? use.end == length(use) : use.begin == 0;
   }
   bool is_first(const CadEdge& edge, Index piece, int side) const {
     return edge.uses[0].piece == piece && edge.uses[0].side == side;
   }
-  /// End of an edge, as the surface has it.
+  /// Differential data of the surface at an end of an edge.
   struct End {
     Vector3 direction = Vector3::Zero();  ///< unit, away from the vertex
     Vector3 normal = Vector3::Zero();     ///< unit; zero where there is none
     double bend = 0;                      ///< normal curvature along the edge
-    std::optional<double> wanted = {};    ///< that which it is to have
+    std::optional<double> wanted = {};    ///< normal curvature that the fitted curve is to have
   };
   End end_of(const CadEdge& edge, bool at_end) const;
   void bend_ends(Index vertex_count);
@@ -75,16 +76,16 @@ class CadEdges {
   EdgeTask task_;
   std::vector<CadEdge> edges_;
   std::vector<Vector3> vertices_;
-  std::vector<std::array<std::vector<Index>, 4>> sides_;  ///< edges of each piece
-  std::vector<std::array<SplineCurve, 4>> divided_;       ///< curves of sides with several edges
-  /// Normals and normal curvatures that the curves of sides are to have in their ends, counter-clockwise.
+  std::vector<std::array<std::vector<Index>, 4>> sides_;  ///< edges of the sides of each piece
+  std::vector<std::array<SplineCurve, 4>> divided_;       ///< curves of sides with several edges, by piece
+  /// Normals and normal curvatures prescribed at both ends of each side's curve, counter-clockwise.
   std::vector<std::array<std::array<std::optional<End>, 2>, 4>> ends_;
 };
 
-/// Share of the distance that curves between faces may take.
+/// Fraction of the distance tolerance that curves between faces may use.
 inline constexpr double curve_share = 0.4;
 
-/// Adds a break, but for rounding, where there is none yet.
+/// Adds a break unless one is there already, to rounding.
 void insert_break(std::vector<double>& breaks, double at);
 
 }  // namespace hariko

@@ -13,18 +13,19 @@ namespace hariko {
 
 namespace {
 
-/// Share of the limits that a fit keeps to: between the places that it looks at up to a fifth more is
-/// measured.
+/// Fraction of the distance limit that a fit keeps to: between the sampled places the error is up to a fifth
+/// larger.
 constexpr double fit_share = 0.78;
-/// Likewise of the angle between faces.
+/// Fraction of the limit of the angle between faces that a fit keeps to, for the same reason.
 constexpr double angle_share = 0.7;
-/// How often knots are added.
+/// Largest number of rounds of knot insertion.
 constexpr int most_rounds = 12;
-/// Steps of conjugate gradients towards common tangent planes, and how often neighbours that these disturb
-/// are taken in, before knots are added.
+/// Largest number of conjugate gradient steps towards common tangent planes, and of extensions to
+/// neighbouring edges that these steps disturb, before knots are inserted.
 constexpr int most_steps = 24, most_widenings = 3;
 
-/// Places of a span, none of them a Greville place of a single one: there every interpolation is right.
+/// Test places in a span; none of them is a Greville place of a single span, where every interpolant is
+/// exact.
 constexpr std::array<std::pair<double, double>, 3> exact_looks{{{0.37, 0.61}, {0.11, 0.83}, {0.91, 0.13}}};
 
 FaceBoundary boundary_of(const CadEdges& edges, Index piece, const SplineSpace& s, const SplineSpace& t) {
@@ -34,7 +35,7 @@ FaceBoundary boundary_of(const CadEdges& edges, Index piece, const SplineSpace& 
   return out;
 }
 
-/// The breaks of a piece, and those of the curves along its sides.
+/// Spline spaces of a piece in s and t: its own breaks and those of the curves along its sides.
 std::pair<SplineSpace, SplineSpace> spaces_of(const EdgeTask& task, const CadEdges& edges, Index piece) {
   SplineSpace s{task.degree, (*task.pieces)[piece].s}, t{task.degree, (*task.pieces)[piece].t};
   for (int side = 0; side < 4; ++side)
@@ -42,7 +43,7 @@ std::pair<SplineSpace, SplineSpace> spaces_of(const EdgeTask& task, const CadEdg
   return {s, t};
 }
 
-/// Those that fits work with.
+/// Limits that the fits work with, stricter than the task's.
 FitLimits limits_of(const EdgeTask& task) {
   FitLimits out = task.limits;
   out.distance *= fit_share - curve_share;
@@ -86,7 +87,7 @@ class FaceMaker {
   struct Face {
     CadFace out;
     SplineSpace s, t;
-    std::unique_ptr<FaceFit> fit;  ///< none where the face is exact
+    std::unique_ptr<FaceFit> fit;  ///< null where the face is exact
   };
 
   void each(const std::vector<char>& chosen, std::size_t grain, const std::function<void(Index)>& visit) {
@@ -109,7 +110,7 @@ class FaceMaker {
       face.fit = new_fit(f);
     });
   }
-  /// A fit in the present spaces of a face.
+  /// New fit in the present spaces of a face.
   std::unique_ptr<FaceFit> new_fit(Index f) const {
     const Face& face = faces_[f];
     return std::make_unique<FaceFit>((*task_.points)[f], face.s, face.t,
@@ -140,7 +141,7 @@ class FaceMaker {
       faces_[f].fit->solve();
     });
   }
-  /// Faces of chosen edges, and `also`.
+  /// Faces of the chosen edges, and the faces marked in `also`.
   std::vector<char> neighbours(const std::vector<char>& chosen, std::vector<char> also) const {
     for (std::size_t e = 0; e < chosen.size(); ++e)
       for (int u = 0; chosen[e] && u < 2; ++u) also[edges_.edges()[e].uses[std::size_t(u)].piece] = 1;
@@ -149,7 +150,7 @@ class FaceMaker {
   std::vector<char> neighbours(const std::vector<char>& chosen) const {
     return neighbours(chosen, std::vector<char>(faces_.size(), 0));
   }
-  /// Tied edges of chosen faces.
+  /// Tied edges of the chosen faces.
   std::vector<char> edges_of(const std::vector<char>& chosen) const {
     std::vector<char> out(edges_.edges().size(), 0);
     for (std::size_t e = 0; e < out.size(); ++e) {
@@ -159,7 +160,7 @@ class FaceMaker {
     return out;
   }
 
-  /// Brings both faces of each edge to what they have in common, as far as their knots let them.
+  /// Moves both faces of each edge to common tangent planes, as far as their knots allow.
   void settle() {
     std::vector<char> looked = edges_of(std::vector<char>(faces_.size(), 1)), active(looked.size(), 0);
     for (int widening = 0; widening < most_widenings && !cancel_.cancelled(); ++widening) {
@@ -182,8 +183,9 @@ class FaceMaker {
     each(looked, 4, [&](Index e) { ties_.compare(e); });
   }
 
-  /// The faces' values are linear in the wanted ones, and those that both faces of an edge have in common, by
-  /// least squares of all faces together, is where the wanted is the mean of both: conjugate gradients.
+  /// Conjugate gradients towards common values at the active edges. The faces' values are linear in the
+  /// wanted ones; the least-squares optimum over all faces together is where each wanted value is the mean of
+  /// the two faces' values.
   void agree(const std::vector<char>& active) {
     const std::vector<char> faces = neighbours(active);
     std::vector<EdgePlace> none;
@@ -242,7 +244,7 @@ class FaceMaker {
     });
   }
 
-  /// Knots where faces or edges miss the limits; the faces that got some.
+  /// Inserts knots where faces or edges miss the limits; returns the faces that got some.
   std::vector<char> refine(bool last) {
     std::vector<FaceMiss> misses(faces_.size());
     FitLimits reach = limits_;
@@ -266,8 +268,8 @@ class FaceMaker {
     return out;
   }
 
-  /// Marks where the faces of an edge do not agree: knots along it, and across it in corners and where spans
-  /// are longer across.
+  /// Marks spans where the two faces of an edge disagree: along the edge, and across it at corners and where
+  /// spans are longer across than along.
   void mark(Index e, std::vector<FaceMiss>& misses) const {
     const CadEdge& edge = edges_.edges()[e];
     const double worst = ties_.worst(e);
@@ -293,7 +295,7 @@ class FaceMaker {
       }
     }
   }
-  /// Share of the whole.
+  /// Width of a span relative to the whole space.
   static double width(const SplineSpace& space, std::size_t span) {
     return (space.breaks[span + 1] - space.breaks[span]) / (space.end() - space.begin());
   }
@@ -319,7 +321,7 @@ std::optional<CadFace> exact_cad_face(const EdgeTask& task, const CadEdges& edge
   const auto inside = [](const SplineSpace& space, std::size_t i, double f) {
     return space.breaks[i] + f * (space.breaks[i + 1] - space.breaks[i]);
   };
-  // Rectangles of patches are known to be splines.
+  // Rectangles of merged patches are already known to be splines.
   const bool known = (*task.pieces)[piece].cells.size() > 1;
   for (std::size_t j = 0; j < t.span_count(); ++j)
     for (std::size_t i = 0; i < s.span_count(); ++i)

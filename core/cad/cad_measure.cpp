@@ -14,7 +14,7 @@ namespace hariko {
 
 namespace {
 
-/// Breaks of an edge and of its faces along it.
+/// Breaks of an edge together with those of its faces along it.
 SplineSpace edge_space(const CadModel& model, const CadEdge& edge) {
   SplineSpace out = edge.curve.space;
   for (int u = 0; u < edge.use_count; ++u) {
@@ -29,7 +29,8 @@ SplineSpace edge_space(const CadModel& model, const CadEdge& edge) {
   return out;
 }
 
-/// Every break, and places between that are no Greville places of a single span: there every spline is right.
+/// Sample places: every break, and between them places that are no Greville places of a single span, where
+/// every spline is exact.
 std::vector<double> places(const SplineSpace& space, int samples) {
   std::vector<double> out{space.begin()};
   for (std::size_t i = 0; i < space.span_count(); ++i) {
@@ -40,8 +41,8 @@ std::vector<double> places(const SplineSpace& space, int samples) {
   return out;
 }
 
-/// Distances from a point to places of the surface, and the nearest place so far. Each of them is at least as
-/// far away as the surface.
+/// Nearest of several places of the surface to a point, improved step by step. Each candidate's distance is
+/// an upper bound of the distance to the surface.
 class NearestPlace {
  public:
   NearestPlace(const PieceEvaluator& surface, const CadPiece& piece, const Vector3& from, double s, double t)
@@ -50,7 +51,7 @@ class NearestPlace {
   }
   double distance() const { return distance_; }
 
-  /// Newton's steps to the foot of the perpendicular, as long as they get nearer by a tenth.
+  /// Newton steps to the foot of the perpendicular, as long as each reduces the distance by a tenth.
   void step(double enough) {
     constexpr int steps = 4;
     for (int step = 0; step < steps && distance_ > enough; ++step) {
@@ -65,8 +66,7 @@ class NearestPlace {
     }
   }
 
-  /// By looking round in ever smaller squares, which needs no derivatives: they jump where patches of a piece
-  /// meet.
+  /// Pattern search on ever smaller squares; needs no derivatives, which jump where patches of a piece meet.
   void search(double enough) {
     constexpr double least = 1e-4;
     for (double width = reach_; width > least * reach_ && distance_ > enough;) {
@@ -80,7 +80,7 @@ class NearestPlace {
   }
 
  private:
-  /// Whether the place is nearer than those before.
+  /// Takes a place if it is nearer than those before; tells whether it is.
   bool look(Vector2 at) {
     at = at.cwiseMax(Vector2::Zero()).cwiseMin(Vector2(piece_.s.back(), piece_.t.back()));
     const PatchPoint point = surface_.at(at.x(), at.y());
@@ -101,7 +101,8 @@ class NearestPlace {
   double reach_ = 0;  ///< longest step so far
 };
 
-/// From a point to the surface near (s, t), or some upper bound of it that is no more than `enough`.
+/// Upper bound of the distance from a point to the surface near (s, t); improved until it is at most `enough`
+/// or no better place is found.
 double distance_near(const PieceEvaluator& surface, const CadPiece& piece, double s, double t,
                      const Vector3& from, double enough) {
   NearestPlace nearest(surface, piece, from, s, t);
@@ -129,7 +130,7 @@ struct Jump {
   double normal = 0, curvature = 0;
 };
 
-/// Normal curvature in a direction of the tangent plane, and the largest of all directions.
+/// Normal curvature in one direction of the tangent plane, and the largest of all directions.
 struct Bend {
   double across = 0, largest = 0;
 };
@@ -145,7 +146,7 @@ Bend bend_of(const PatchPoint& point, const Vector3& direction) {
           std::abs(mean) + std::sqrt(std::max(0.0, mean * mean - gauss))};
 }
 
-/// Between the two faces of an edge.
+/// Largest jumps between the two faces of an edge.
 Jump jump(const CadModel& model, const CadEdge& edge, int samples) {
   const SplineEvaluator first(model.faces[edge.uses[0].piece].surface),
       second(model.faces[edge.uses[1].piece].surface);

@@ -19,10 +19,11 @@ namespace hariko {
 namespace {
 
 constexpr int cubic = 3, quartic_degree = 4, quintic = 5;
-/// How far normals may turn away from the surface's, of the angle between faces and at least.
+/// Largest angle between the normals of faces and of the surface: a multiple of the angle between faces, and
+/// a lower bound of it.
 constexpr double turn_share = 20, least_turn = 2 * std::numbers::pi / 180;
 
-/// The patches may be ordinary quartics: their inner points coincide in pairs, nearly.
+/// Whether the patches may be ordinary quartics: their inner points coincide in pairs, nearly.
 bool may_be_quartics(const Surface& surface, double size) {
   const auto* patches = dynamic_cast<const QuarticPatchSet*>(&surface.patches());
   if (!patches) return false;
@@ -37,11 +38,11 @@ bool may_be_quartics(const Surface& surface, double size) {
 struct Attempt {
   CadPieces pieces;
   int degree;
-  bool bends = false;  ///< as EdgeTask
+  bool bends = false;  ///< see `EdgeTask::bends`
 };
-/// Cubics and polynomial Bezier patches have their own degree; the rest is fitted, by what is lightest.
-/// Attempts end as soon as they weigh more than those before: first cubics of single patches, whose time is
-/// bounded however tight the tolerance is.
+/// Degrees and pieces to try. Cubics and polynomial Bezier patches keep their own degree; all else is fitted
+/// by whatever weighs least. Attempts end as soon as they weigh more than those before; first come cubics of
+/// single patches, whose time is bounded however tight the tolerance is.
 std::vector<Attempt> attempts_for(const Surface& surface, const CadModelOptions& options) {
   const PatchSet* patches = &surface.patches();
   if (subdivision_patches(surface) || dynamic_cast<const BicubicPatchSet*>(patches))
@@ -64,7 +65,7 @@ Eigen::AlignedBox3d box_of(const Surface& surface) {
   return box;
 }
 
-/// How far the faces' own boundaries are from the edges.
+/// Measures how far the faces' own boundaries are from the edges.
 void measure_edges(CadModel& model) {
   parallel_for(model.edges.size(), 16, [&](std::size_t begin, std::size_t end) {
     for (std::size_t e = begin; e < end; ++e) {
@@ -92,13 +93,13 @@ std::size_t weight(const CadModel& model) {
   return out;
 }
 
-/// Faces that miss the tolerance: these count before the weight does.
+/// Number of faces that miss the tolerance; it is compared before the weight.
 std::size_t unreached(const CadModel& model) {
   return std::size_t(std::count_if(model.faces.begin(), model.faces.end(),
                                    [](const CadFace& face) { return !face.reached; }));
 }
 
-/// Makes models of one surface, of one degree each.
+/// Builds CAD models of one surface, each of one degree.
 class Maker {
  public:
   Maker(const Surface& surface, CadPieces which, const CadModelOptions& options, const CancelToken& cancel)
@@ -116,7 +117,7 @@ class Maker {
 
   double size() const { return size_; }
 
-  /// Nothing where the model would weigh more than `heaviest`, or cancelled.
+  /// Model by fitting; nothing where it would weigh more than `heaviest`, or when cancelled.
   std::optional<CadModel> make(const Attempt& attempt, std::size_t heaviest, const Progress& progress) const {
     const EdgeTask task{&pieces_, &points_, attempt.degree, limits_, size_, rounding(), attempt.bends};
     const CadEdges edges(task, plan_, cancel_);
@@ -124,7 +125,8 @@ class Maker {
     auto faces = cad_faces(task, edges, heaviest, cancel_, progress);
     return faces ? finished(edges, std::move(*faces)) : std::nullopt;
   }
-  /// Nothing where not all faces are splines of the degree without knots, or cancelled.
+  /// Model without fitting; nothing where not all faces are splines of the degree without knots, or when
+  /// cancelled.
   std::optional<CadModel> make_exact(int degree) const {
     EdgeTask task{&pieces_, &points_, degree, limits_, size_, rounding()};
     task.limits = FitLimits{infinite, infinite, infinite};

@@ -16,7 +16,7 @@ const G2PatchSet* g2_patches(const Surface& surface) {
   return dynamic_cast<const G2PatchSet*>(&surface.patches());
 }
 
-/// Bilinear map of a cell with its derivatives.
+/// Point of a cell's bilinear map, with its derivatives.
 struct CellPoint {
   Vector2 at, by_s, by_t;
 };
@@ -29,13 +29,13 @@ CellPoint cell_point(const CadCell& cell, double s, double t) {
   return out;
 }
 
-/// The number of the stretch between breaks that x lies in; of two at a break the upper one.
+/// Number of the interval between breaks that contains x; at a break the upper one.
 std::size_t span_of(const std::vector<double>& breaks, double x) {
   const auto above = std::upper_bound(breaks.begin() + 1, breaks.end() - 1, x);
   return std::size_t(above - breaks.begin()) - 1;
 }
 
-/// Part of side `side` of a patch.
+/// Makes a `CellSide` of part of side `side` of a patch.
 CellSide on(Index patch, int side, double begin, double end) {
   return {{patch, std::uint8_t(side)}, begin, end, no_index};
 }
@@ -44,7 +44,7 @@ CellSide inside(Index number, bool forward) {
 }
 
 /// Three quads of a triangle: corner, middle of the side, centre, middle of the side before. `inner`: number
-/// of the first curve inside.
+/// of the first inner curve.
 void add_thirds(Index patch, Index inner, std::vector<CadPiece>& out) {
   const Vector2 centre(1.0 / 3, 1.0 / 3);
   for (int k = 0; k < 3; ++k) {
@@ -59,9 +59,9 @@ void add_thirds(Index patch, Index inner, std::vector<CadPiece>& out) {
   }
 }
 
-/// A face as a polygon over triangles round its middle, whose side 1 is the face's: corner 0 is the middle. A
-/// square is one piece; others are cut into quads: corner, middle of the side, centre, middle of the side
-/// before.
+/// Pieces of a face given as triangles round its middle, whose side 1 is the face's and corner 0 the middle.
+/// A square is one piece; other faces are cut into quads: corner, middle of the side, centre, middle of the
+/// side before.
 void add_polygon(const std::vector<Index>& patches, const std::vector<Vector2>& vertices, const CadCell& kind,
                  Index inner, std::vector<CadPiece>& out) {
   const std::size_t n = patches.size();
@@ -106,15 +106,16 @@ std::vector<CadPiece> chart_pieces(const G2PatchSet& patches) {
   return out;
 }
 
-/// Corner of a regular polygon of radius 1.
+/// Corner k of a regular n-gon of radius 1.
 Vector2 fan_vertex(std::size_t k, std::size_t n) {
   const double turn = 2 * std::numbers::pi * double(k % n) / double(n);
   return {std::cos(turn), std::sin(turn)};
 }
 
-/// Triangles of one face, in order, that meet smoothly round their first corners; each other triangle alone.
+/// Triangles of one face, in order, that meet smoothly round their first corners; every other triangle is
+/// alone.
 std::vector<std::vector<Index>> fans_of(const Surface& surface) {
-  // The triangle beyond side 2 of each, where it meets that one's side 0.
+  // Triangle beyond side 2 of each triangle, where that side meets its side 0.
   std::vector<Index> next(surface.patch_count(), no_index);
   for (const Seam& seam : surface.seams()) {
     const bool whole =
@@ -160,7 +161,7 @@ std::vector<CadPiece> fan_pieces(const Surface& surface) {
   return out;
 }
 
-/// Derivatives by the variables p and q, of which the present ones are the linear functions with rows `by_p`
+/// Derivatives by new variables p and q; the present parameters are linear functions of them with rows `by_p`
 /// and `by_q`.
 PatchPoint by_linear(const PatchPoint& point, const Vector2& by_p, const Vector2& by_q) {
   const auto second = [&](const Vector2& a, const Vector2& b) -> Vector3 {
@@ -239,7 +240,7 @@ PatchPoint PieceEvaluator::patch_point(Index patch, const Vector2& at, Order ord
   return out;
 }
 
-/// By the polygon's coordinates.
+/// Point and derivatives by the coordinates of the fan's polygon.
 PatchPoint PieceEvaluator::fan_point(const CadCell& cell, const Vector2& at, Order order) const {
   const std::size_t n = polygon_.size();
   const auto cross = [](const Vector2& a, const Vector2& b) { return a.x() * b.y() - a.y() * b.x(); };

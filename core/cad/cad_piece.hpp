@@ -1,7 +1,6 @@
 #pragma once
 
-// Pieces: how the patches of a surface are cut and joined into the rectangles that become faces of a CAD
-// model.
+// Pieces: rectangles, made by cutting and joining the patches of a surface, that become faces of a CAD model.
 
 #include <array>
 #include <optional>
@@ -15,68 +14,74 @@ namespace hariko {
 
 class G2PatchSet;
 
-/// Part of a patch's side, or a curve inside of a patch that pieces have in common: then `side.patch` is
-/// no_index and `inner` is the curve's number; begin < end means along it.
+/// Part of a patch's side, or of a curve inside a patch that two pieces share; for such a curve `side.patch`
+/// is no_index and `inner` its number. begin < end means along it.
 struct CellSide {
   PatchSide side;
   double begin = 0, end = 1;
   Index inner = no_index;
 };
 
-/// The unit square as a bilinear image in a patch's parameters; `chart`: in those of a face of mode G2;
-/// `fan`: in those of a regular polygon of radius 1 round the split point of a face, over these triangles.
+/// Image of the unit square in a patch's parameters, bilinear. With `chart`: in the parameters of a face of
+/// mode G2. With `fan`: in the coordinates of a regular polygon of radius 1 round the split point of a face,
+/// over these triangles.
 struct CadCell {
   Index patch = no_index;
   bool chart = false;
   std::vector<Index> fan;
-  std::array<Vector2, 4> corners;  ///< of (0, 0), (1, 0), (1, 1), (0, 1)
+  std::array<Vector2, 4> corners;  ///< images of (0, 0), (1, 0), (1, 1), (0, 1)
   std::array<CellSide, 4> sides;   ///< counter-clockwise, as sides of squares
 };
 
-/// Cells, row by row, between the breaks by s and t, which ascend from 0. Between its cells the surface is as
-/// smooth as a spline of its degree with simple knots there.
+/// Grid of cells, row by row, between the breaks in s and t, which ascend from 0. Between its cells the
+/// surface is as smooth as a spline of its degree with simple knots there.
 struct CadPiece {
   std::vector<double> s{0, 1}, t{0, 1};
   std::vector<CadCell> cells;
-  /// Knots of each side: the breaks at which its curve is more than one polynomial, with both ends. None:
-  /// all.
+  /// Knots of the curve along each side, both ends included: the breaks at which it is more than one
+  /// polynomial. Empty: all breaks.
   std::array<std::vector<double>, 4> side_knots;
 
   Index columns() const { return Index(s.size() - 1); }
   Index rows() const { return Index(t.size() - 1); }
+  /// Number of cells along a side.
   Index cell_count(int side) const { return side % 2 == 0 ? columns() : rows(); }
   /// Length of a side in its own parameter, which begins at 0.
   double length(int side) const { return side % 2 == 0 ? s.back() : t.back(); }
-  /// The breaks along a side, counter-clockwise.
+  /// Breaks along a side, counter-clockwise.
   std::vector<double> breaks(int side) const;
-  /// Those that the side's curve needs.
+  /// Knots that the side's curve needs.
   std::vector<double> knots(int side) const {
     return side_knots[std::size_t(side)].empty() ? breaks(side) : side_knots[std::size_t(side)];
   }
-  /// The cell at place `at` along a side, counter-clockwise.
+  /// Cell at place `at` along a side, counter-clockwise.
   const CadCell& cell(int side, Index at) const;
   /// (s, t) of the point at x in 0 .. length(side) along a side, counter-clockwise.
   Vector2 parameter(int side, double x) const;
 };
 
-/// How pieces are made.
+/// Division of a surface into pieces.
 enum class CadPieces {
-  patches,  ///< squares that are one spline in rectangles; triangles three squares each, round their corners
-  faces     ///< the same, but triangles round the split points of faces together
+  /// Squares of one spline joined to rectangles; triangles as three squares each, round their corners.
+  patches,
+  faces  ///< the same, but triangles round the split point of a face together
 };
 
-/// Pieces that cover a surface once, without degenerate sides. Faces of triangles round a split point, and of
-/// mode G2, are one square where they have four sides, and as many as they have corners otherwise. No piece
+/// Pieces that cover a surface once, without degenerate sides. Faces of triangles round a split point, and
+/// faces of mode G2, are one square where they have four sides, otherwise one square per corner. No piece
 /// meets itself. O(patches).
 std::vector<CadPiece> cad_pieces(const Surface& surface, CadPieces which = CadPieces::faces);
 
-/// The largest degree of the patches, by s or t, where splines can hold all of them: none is rational.
+/// Degree of a spline that can hold all patches: their largest degree in s or t. Nothing where a patch is
+/// rational.
 std::optional<int> bezier_degree(const BezierPatchSet& patches);
 
-/// Points of one piece, with derivatives by s and t. The surface and the piece must outlive it. Thread-safe.
+/// Evaluates points of one piece, with derivatives by s and t. The surface and the piece must outlive it.
+/// Thread-safe.
 class PieceEvaluator {
  public:
   PieceEvaluator(const Surface& surface, const CadPiece& piece);
+  /// Point at (s, t); where `order` is first, second derivatives are zero.
   PatchPoint at(double s, double t, Order order = Order::first) const;
 
  private:
@@ -84,14 +89,14 @@ class PieceEvaluator {
   PatchPoint fan_point(const CadCell& cell, const Vector2& at, Order order) const;
 
   const PatchSet* patches_;
-  const FacetEvaluation* fast_;  ///< the same patches; none where they have no faster evaluation
+  const FacetEvaluation* fast_;  ///< fast evaluation of the same patches; null where they have none
   const G2PatchSet* charts_;
   const CadPiece* piece_;
-  std::vector<Vector2> polygon_;  ///< of the fan
+  std::vector<Vector2> polygon_;  ///< corners of the fan's polygon
 };
 
-/// Splines of squares: rectangles of patches that are pieces of one spline (cad_pieces): bicubic ones, and
-/// Bezier patches of the degree that `bezier_degree` gives, whose knots may be at uneven distances.
+/// Rectangles of square patches that are pieces of one spline (cad_pieces): bicubic ones, and Bezier patches
+/// of the degree that `bezier_degree` gives, whose knots may be unevenly spaced.
 std::vector<CadPiece> merged_squares(const Surface& surface);
 
 }  // namespace hariko

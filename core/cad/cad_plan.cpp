@@ -12,12 +12,12 @@ namespace hariko {
 
 namespace {
 
-/// Fractions of a side closer than this are one place.
+/// Distance, in fractions of a side, below which two places count as one.
 constexpr double same_place = 1e-9;
 
 struct ArcUse {
   Index arc = no_index;
-  double begin = 0, end = 1;  ///< in the piece's side
+  double begin = 0, end = 1;  ///< in the parameter of the piece's side
 };
 
 class Planner {
@@ -48,7 +48,7 @@ class Planner {
         for (const CellSide& side : cell.sides) visit(side);
   }
 
-  /// Of a seam that runs the usual way: up the first side and down the second.
+  /// Whether a seam runs the usual way: up the first side and down the second.
   static bool usual(const Seam& seam) {
     return seam.first_begin < seam.first_end && seam.second_begin > seam.second_end;
   }
@@ -75,7 +75,7 @@ class Planner {
     return std::size_t(found - list.begin());
   }
 
-  /// Ends of parts, carried over the seams until nothing is new.
+  /// Collects the ends of parts, carried over the seams until no new one appears.
   void find_breaks() {
     for_cell_sides([&](const CellSide& side) {
       if (side.side.patch == no_index) return;
@@ -194,7 +194,7 @@ class Planner {
     friend bool operator==(const User&, const User&) = default;
   };
 
-  /// Who else uses an arc.
+  /// Other user of an arc, if there is one.
   std::optional<User> partner(Index arc, const User& own) const {
     for (const User& user : users_[arc])
       if (!(user == own)) return user;
@@ -202,7 +202,7 @@ class Planner {
   }
   const ArcUse& use(const User& user) const { return uses_[user.piece][std::size_t(user.side)][user.place]; }
 
-  /// The next arc along both sides belongs to the same edge.
+  /// Whether the next arc along both sides belongs to the same edge.
   bool runs_on(const User& own, const std::optional<User>& other) const {
     const auto& list = uses_[own.piece][std::size_t(own.side)];
     if (own.place + 1 >= list.size()) return false;
@@ -252,12 +252,12 @@ class Planner {
         }
   }
 
-  /// The point at the begin or end of a stretch of a side.
+  /// Point at the beginning or end of a part of a side.
   Index end_point(const CadUse& stretch, bool end) const {
     for (const ArcUse& item : uses_[stretch.piece][std::size_t(stretch.side)]) {
       if (!(end ? item.end == stretch.end : item.begin == stretch.begin)) continue;
       const Arc& arc = arcs_[item.arc];
-      // Arcs run along the first side that has them; sides that have them the other way round are seconds.
+      // Arcs run along the first side that has them; sides that run against an arc are second uses.
       const bool along = runs_along(stretch, item);
       return end == along ? arc.end : arc.begin;
     }
@@ -288,20 +288,20 @@ class Planner {
 
   struct Arc {
     Index begin = 0, end = 0;  ///< points
-    Index same = 0;            ///< the arc that stands for this one
+    Index same = 0;            ///< representative of equal arcs
     bool smooth = true;
   };
 
   const Surface& surface_;
   const std::vector<CadPiece>& pieces_;
   std::size_t sides_;
-  std::vector<std::vector<double>> breaks_;  ///< of each side of each patch
+  std::vector<std::vector<double>> breaks_;  ///< by patch side
   DisjointSets points_;
   std::vector<Index> first_point_, first_arc_;
   Index first_inner_point_ = 0, first_inner_arc_ = 0, inner_count_ = 0;
   std::vector<Arc> arcs_;
   std::vector<std::array<std::vector<ArcUse>, 4>> uses_;
-  std::vector<std::vector<User>> users_;  ///< of each arc
+  std::vector<std::vector<User>> users_;  ///< by arc
   CadPlan plan_;
 };
 

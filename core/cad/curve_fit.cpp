@@ -16,7 +16,7 @@ SpanPlaces gauss_places(int count) {
   SpanPlaces out;
   for (int k = 1; k <= count; ++k) {
     double x = std::cos(std::numbers::pi * (k - 0.25) / (count + 0.5)), slope = 1;
-    for (int round = 0; round < 20; ++round) {  // Newton's, for a zero of Legendre's polynomial
+    for (int round = 0; round < 20; ++round) {  // Newton iteration for a zero of the Legendre polynomial
       double before = 1, value = x;
       for (int n = 2; n <= count; ++n) {
         const double next = ((2 * n - 1) * x * value - (n - 1) * before) / n;
@@ -32,8 +32,8 @@ SpanPlaces gauss_places(int count) {
   return out;
 }
 
-/// The direction in an end, unit; zero where there is none. Points of patches may have derivatives there that
-/// are not those along the side, where two sides run on straight: the limit from inside decides then.
+/// Unit direction at an end; zero where there is none. Patches may have derivatives at a corner that differ
+/// from those along the side where two sides run on straight: the limit from inside then decides.
 Vector3 end_direction(const std::function<TracedPoint(double)>& function, double end, double inward) {
   const auto direction = [&](double x) -> Vector3 {
     return (inward > 0 ? 1 : -1) * function(x).derivative.stableNormalized();
@@ -43,13 +43,13 @@ Vector3 end_direction(const std::function<TracedPoint(double)>& function, double
   return (at_end - limit).norm() < 1e-4 ? at_end : limit;
 }
 
-/// The control point that each number moves, and its place.
+/// Control point that an unknown moves, and the direction of the move.
 struct Unknown {
   std::size_t point = 0;
   Vector3 direction;
 };
 
-/// A curve at Gauss places of a space's spans.
+/// Samples of a curve at the Gauss places of a space's spans.
 struct CurveSamples {
   std::vector<TracedPoint> points;
   std::vector<double> weight;
@@ -68,10 +68,10 @@ struct CurveSamples {
   }
 };
 
-/// How far the control points next to those beside the ends are from the tangent planes there, where given.
+/// Prescribed distances of the third control points from each end to the tangent planes there, where given.
 using EndHeights = std::array<std::optional<double>, 2>;
 
-/// The curve of a space by least squares; the ends are given, and directions in them where they are known.
+/// Least-squares curve of a space; its ends are prescribed, and the directions there where they are known.
 class CurveSolver {
  public:
   CurveSolver(const SplineSpace& space, const std::function<TracedPoint(double)>& function,
@@ -88,7 +88,7 @@ class CurveSolver {
       Vector3 tangent = near_begin ? end_direction(function, space.begin(), length)
                         : near_end ? end_direction(function, space.end(), -length)
                                    : Vector3(Vector3::Zero());
-      // In the plane that all curves of the vertex have in common.
+      // Projects the direction to the tangent plane that all curves of the vertex share.
       if (const TracedPoint& from = near_begin ? begin : end; (near_begin || near_end) && !tangent.isZero(0))
         tangent = (tangent - tangent.dot(from.normal) * from.normal).stableNormalized();
       if (near_begin || near_end) points_[k] = near_begin ? begin.position : end.position;
@@ -147,11 +147,11 @@ class CurveSolver {
   const SplineSpace& space_;
   const CurveSamples& samples_;
   std::vector<Vector3> points_;
-  std::vector<Unknown> unknowns_;  ///< by points, ascending
+  std::vector<Unknown> unknowns_;  ///< by control point, ascending
 };
 
-/// Heights that give a curve the curvatures that its ends are to have: the second derivative's normal part is
-/// the curvature times the square of the first's length.
+/// Heights that give a curve its prescribed end curvatures: the normal part of the second derivative is the
+/// curvature times the squared length of the first.
 EndHeights end_heights(const SplineCurve& curve, const std::function<TracedPoint(double)>& function) {
   EndHeights out;
   const SplineSpace& space = curve.space;
@@ -170,7 +170,7 @@ EndHeights end_heights(const SplineCurve& curve, const std::function<TracedPoint
   return out;
 }
 
-/// Least squares in one space. How fast the curve leaves its ends decides how high they must bend.
+/// Least-squares curve in one space. The first fit gives the speeds at the ends, on which the heights depend.
 SplineCurve nearest_curve(const SplineSpace& space, const std::function<TracedPoint(double)>& function) {
   const CurveSamples samples(space, function);
   SplineCurve out = CurveSolver(space, function, samples, {}).run();
@@ -182,7 +182,7 @@ SplineCurve nearest_curve(const SplineSpace& space, const std::function<TracedPo
   return out;
 }
 
-/// How many times the limits a curve misses another in a place.
+/// Deviation of a curve from the wanted point at a place, in multiples of the limits.
 double miss_at(const SplineCurve& curve, double x, const TracedPoint& want, const FitLimits& limits) {
   const SplinePoint got = evaluate(curve, x);
   const Vector3 tangent = want.derivative.stableNormalized(), miss = want.position - got.position;
@@ -190,7 +190,7 @@ double miss_at(const SplineCurve& curve, double x, const TracedPoint& want, cons
   double out = std::max((miss - along * tangent).norm(), along_share * std::abs(along)) / limits.distance;
   const double length = got.derivative.norm() * (curve.space.end() - curve.space.begin());
   if (length > limits.distance) {
-    // A curve that is off by the distance over a span turns by that.
+    // A deviation of `distance` over one span turns the curve by this angle.
     const double turn = limits.turn + limits.distance / (got.derivative.norm() *
                                                          span_width(curve.space, curve.space.span(x)));
     out = std::max(out, std::abs(got.derivative.dot(want.normal)) / (got.derivative.norm() * turn));

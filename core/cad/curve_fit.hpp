@@ -1,6 +1,6 @@
 #pragma once
 
-// Splines of few control points near given curves.
+// Least-squares fits of curves by splines with few control points.
 
 #include <functional>
 #include <optional>
@@ -16,49 +16,52 @@ struct FitLimits {
   double turn = 0;      ///< radians, between the normals of faces and those of the surface
 };
 
-/// How much a miss along a curve or surface counts beside one across it.
+/// Weight of an error along a curve or surface relative to one across it.
 inline constexpr double along_share = 0.5;
 
-/// Spans are cut into halves no narrower than this part of the whole: something there is no smooth shape.
+/// Narrowest span, relative to the whole, that halving may produce: detail finer than that is no smooth
+/// shape.
 inline constexpr double narrowest_span = 1.0 / 1024;
 
+/// Width of a span in the parameter.
 inline double span_width(const SplineSpace& space, std::size_t span) {
   return space.breaks[span + 1] - space.breaks[span];
 }
-/// Halves the spans that are marked, but for the narrowest; false where none was.
+/// Halves the marked spans, except the narrowest; false where none was halved.
 bool halve(SplineSpace& space, const std::vector<char>& marked);
 
-/// Places and weights for integrals over a span of [0, 1], ascending: exact for polynomials of degree
-/// 2 count - 1. 1 <= count <= 16.
+/// Gauss-Legendre places and weights over a span, scaled to [0, 1], ascending: exact for polynomials of
+/// degree 2 count - 1. 1 <= count <= 16.
 struct SpanPlaces {
   std::vector<double> at, weight;
 };
+/// Gauss-Legendre rule with `count` places, computed once.
 const SpanPlaces& span_places(int count);
 
-/// Point of a curve on a surface.
+/// Point of a curve on a surface, with the data that a fit needs there.
 struct TracedPoint {
   Vector3 position = Vector3::Zero(), derivative = Vector3::Zero();
-  Vector3 normal = Vector3::Zero();  ///< of the surface, unit; zero where tangents may turn freely
-  /// Normal curvature of the surface along the curve, which the end of a fitted curve is to have.
+  Vector3 normal = Vector3::Zero();  ///< unit normal of the surface; zero where tangents may turn freely
+  /// Normal curvature of the surface along the curve, prescribed at the ends of a fitted curve.
   std::optional<double> bend = {};
 };
 
+/// Curve with the verdict whether it keeps the limits.
 struct FittedCurve {
   SplineCurve curve;
   bool reached = true;
 };
-/// A curve of a space that equals the given one, if there is one.
+/// Curve of a space that equals the given one to `rounding` (a length), if there is one.
 std::optional<SplineCurve> equal_curve(const SplineSpace& space,
                                        const std::function<TracedPoint(double)>& function, double rounding);
 
-/// By least squares, with the end points and the directions in the ends given, and the curvatures where they
-/// are, from the spans of `start` on,
-/// which are halved where the curve is farther off than the distance or leaves the tangent plane by more than
-/// the angle `turn`. The ends are the function's there, bit for bit.
+/// Least-squares fit with prescribed end points, end directions and, where given, end curvatures. Begins with
+/// the spans of `start` and halves those where the curve is farther off than `distance` or leaves the tangent
+/// plane by more than `turn`. The ends equal the function's, bit for bit.
 FittedCurve fit_curve(const SplineSpace& start, const std::function<TracedPoint(double)>& function,
                       const FitLimits& limits);
 
-/// The spline of another space that equals a curve: to rounding where the space has it.
+/// Representation of a curve in another space; equal to rounding where that space contains the curve.
 SplineCurve in_space(const SplineCurve& curve, const SplineSpace& space);
 
 }  // namespace hariko

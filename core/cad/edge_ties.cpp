@@ -8,12 +8,12 @@ namespace hariko {
 
 namespace {
 
-/// How much ties count beside the distance inside: they are to be met by the first rows.
+/// Weight of ties relative to the distance inside; the first rows of control points are to meet them.
 constexpr double tie_share = 4;
-/// How much the length and the lean of the derivative across a side count beside the angle.
+/// Weight of the length and the lean of the derivative across a side, relative to the angle.
 constexpr double slope_share = 0.05;
 
-/// The place nearest to x.
+/// Place nearest to x.
 const EdgePlace* nearest(const std::vector<EdgePlace>& places, double x) {
   if (places.empty()) return nullptr;
   const auto above =
@@ -48,7 +48,7 @@ std::size_t EdgeTies::span(const CadEdge& edge, int use, double x) const {
   return (own.side % 2 == 0 ? face.s : face.t).span(growing(edge, use, x));
 }
 
-/// Breaks of both faces along an edge, of the edge.
+/// Breaks of both faces along an edge, in the edge's parameter.
 std::vector<double> EdgeTies::edge_breaks(const CadEdge& edge) const {
   const double span = edge.curve.space.end();
   std::vector<double> out{0, span};
@@ -89,13 +89,13 @@ PatchPoint EdgeTies::side_point(const CadUse& use, double x) const {
   return (*task_.points)[use.piece].at(at.x(), at.y());
 }
 
-/// Normal and speeds; false where there is no normal.
+/// Computes normal and speeds; false where there is no normal.
 bool EdgeTies::measure(const CadEdge& edge, EdgePlace& at) const {
   const SplinePoint curve = evaluate(edge.curve, at.x);
   const Vector3 tangent = curve.derivative.stableNormalized();
   for (int u = 0; u < 2; ++u) {
     const CadUse& use = edge.uses[std::size_t(u)];
-    // The curve may run ahead of the surface's.
+    // The curve's parametrisation may run ahead of the surface's.
     double x = on_side(edge, u, at.x);
     const PatchPoint near = side_point(use, x);
     const Vector3 along = (use.side % 2 == 0 ? near.ds : near.dt) * (use.side < 2 ? 1 : -1);
@@ -132,7 +132,7 @@ void EdgeTies::retie(Index number) {
   for (EdgePlace& at : places_[number]) {
     for (std::size_t u = 0; u < 2; ++u) {
       const double has = at.speed[u] * at.turn.tie[u].sum(faces_.surface(edge.uses[u].piece)).dot(at.left);
-      // A face that is far off for want of knots tells little.
+      // A face that is far off for lack of knots tells little about its speed.
       at.speed[u] *= std::clamp(has / at.speed[u], 0.3, 3.0);
     }
     tie_turn(edge, at);
@@ -146,7 +146,8 @@ void EdgeTies::compare(Index number) {
     for (std::size_t u = 0; u < 2; ++u) {
       const Vector3 across = at.turn.tie[u].sum(faces_.surface(edge.uses[u].piece));
       at.turn.has[u] = across.dot(at.normal);
-      // More knots along the edge do not help a face that hardly leads away from it, or back.
+      // More knots along the edge do not help a face whose derivative across it is very short, or points
+      // back.
       angle[u] = at.turn.has[u] / std::clamp(across.dot(at.left), 0.5, 2.0);
     }
     at.jump = std::abs(angle[0] - angle[1]);
@@ -159,7 +160,7 @@ double EdgeTies::worst(Index edge) const {
   return out;
 }
 
-/// visit(place, number of the face's use), in a fixed order.
+/// Calls visit(place, number of the face's use) in a fixed order.
 template <class Visit>
 void EdgeTies::for_places(Index face, const Visit& visit) const {
   for (int side = 0; side < 4; ++side)

@@ -12,12 +12,13 @@ namespace hariko {
 
 namespace {
 
-/// Share of the limit below which places that are off along the surface stay where they are.
+/// Fraction of the distance limit below which offsets along the surface are not reprojected.
 constexpr double slide_share = 0.05;
-/// Rows of control points beside a side that the derivative across it depends on.
+/// Number of rows of control points beside a side, without the boundary, that the derivative across it
+/// depends on.
 constexpr std::size_t tied_rows = 1;
 
-/// Unit vectors along ds, across it in the tangent plane, and normal.
+/// Orthonormal frame: along ds, across it in the tangent plane, normal.
 Matrix3 frame(const PatchPoint& point) {
   if (!has_normal(point)) return Matrix3::Identity();
   Matrix3 out;
@@ -27,10 +28,10 @@ Matrix3 frame(const PatchPoint& point) {
   return out;
 }
 
-/// Difference of the given sides from the surface's, as a smooth field over the rectangle (Coons) that does
-/// not turn normals along the sides: a spline that ran from its boundary to the surface within its first span
-/// would turn them the more the narrower that span is. It is blended in the surface's own frames, so that
-/// what is off along the surface stays in it.
+/// Deviation of the given sides from the surface's, blended over the rectangle as a Coons patch whose blend
+/// has zero slope at the sides and so does not turn normals there. Without it a spline would run from its
+/// boundary to the surface within its first span, and turn normals the more the narrower that span is.
+/// Blended in the surface's own frames, so that tangential deviations stay tangential.
 class BoundaryMiss {
  public:
   BoundaryMiss(const SplineSurface& boundary, const std::vector<double>& along, const std::vector<double>& up,
@@ -54,7 +55,7 @@ class BoundaryMiss {
       low_s_.push_back(miss(s0, t));
     }
   }
-  /// At place i along s and j along t, in the frame there.
+  /// Deviation at place i along s and j along t, in the frame there.
   Vector3 at(std::size_t i, std::size_t j) const {
     const double a = blend_s_[i], b = blend_t_[j];
     return (1 - b) * (low_t_[i] - (1 - a) * corners_[0] - a * corners_[1]) +
@@ -62,14 +63,14 @@ class BoundaryMiss {
   }
 
  private:
-  /// 0 to 1 with slopes of zero.
+  /// Smoothstep from 0 to 1 with zero slopes.
   static double blend(double x) { return x * x * (3 - 2 * x); }
   std::array<Vector3, 4> corners_;
   std::vector<double> blend_s_, blend_t_;
   std::vector<Vector3> low_t_, high_t_, low_s_, high_s_;
 };
 
-/// The boundary's control points, and zero inside.
+/// Surface with the boundary's control points and zero inside.
 SplineSurface outer_surface(SplineSpace s, SplineSpace t, const FaceBoundary& boundary) {
   SplineSurface out{std::move(s), std::move(t), {}};
   const std::size_t m = out.s.size(), n = out.t.size();
@@ -109,8 +110,8 @@ FaceFit::FaceFit(const PieceEvaluator& model, SplineSpace s, SplineSpace t, Face
   aim();
 }
 
-/// Squares do not see on which side of the surface a face lies: they alone would leave a volume between the
-/// surface and the face.
+/// Sets targets and the volume condition. Least squares alone do not distinguish the two sides of the
+/// surface, and would leave a net volume between it and the face.
 void FaceFit::aim() {
   std::vector<Vector3> inside(targets_.size());
   double volume = 0;
@@ -147,8 +148,8 @@ void FaceFit::slide() {
   aim();
 }
 
-/// Difference of the surface from the nearest splines of one direction's space, along the lines of that
-/// direction; the part across the surface, at the samples.
+/// Residual of the nearest splines of one direction's space, fitted along the lines of that direction: its
+/// component normal to the surface, at the samples.
 std::vector<double> FaceFit::residual(const FitPlaces& own, bool by_s) const {
   const std::size_t count = own.size(), lines = by_s ? samples_.t.size() : samples_.s.size(),
                     p = std::size_t(own.space.degree);
@@ -184,7 +185,7 @@ std::vector<double> FaceFit::residual(const FitPlaces& own, bool by_s) const {
   return out;
 }
 
-/// How many times the limits the face misses the surface, at the samples.
+/// Deviation of the face from the surface at the samples, in multiples of the limits.
 std::vector<double> FaceFit::times(const FitLimits& limits) const {
   const std::vector<PatchPoint> all = fitted();
   std::vector<double> out(all.size(), 0);
@@ -200,9 +201,10 @@ std::vector<double> FaceFit::times(const FitLimits& limits) const {
       const Vector3 normal = unit_normal(want);
       out[k] = std::max(std::abs(off.dot(normal)), 0.5 * along_share * off.norm()) / limits.distance;
       if (!has_normal(got)) continue;
-      // Normals in corners whose sides run on straight are hardly determined.
+      // Normals at corners whose sides run on straight are ill-determined.
       const double sine = want.ds.cross(want.dt).norm() / (want.ds.norm() * want.dt.norm());
-      // A miss of the distance over a span turns it: knots that are narrower than that would only add to it.
+      // A deviation of `distance` over one span turns it by this angle: narrower knots would only increase
+      // it.
       const double narrower = std::min(want.ds.norm() * span_width(surface_.s, samples_.s.span(i)),
                                        want.dt.norm() * span_width(surface_.t, samples_.t.span(j)));
       out[k] = std::max(out[k], sine * angle_between(normal, unit_normal(got)) /

@@ -1,7 +1,7 @@
 #pragma once
 
-// A spline surface of few control points near a given one, with its boundary given and tied to tangent planes
-// along its sides.
+// Least-squares fit of a surface by a tensor spline with few control points, its boundary given and tied to
+// tangent planes along its sides.
 
 #include <array>
 #include <span>
@@ -11,36 +11,37 @@
 
 namespace hariko {
 
-/// How many times the limits a face misses the surface, and spans that finer knots would help.
+/// Deviation of a face from the surface in multiples of the limits, and the spans to be halved.
 struct FaceMiss {
   double worst = 0;
   std::vector<char> s, t;
 };
 
-/// Control points of the sides 0, 1, 2, 3 in the direction of growing s or t.
+/// Control points along sides 0, 1, 2, 3, in the direction of growing s or t.
 using FaceBoundary = std::array<std::vector<Vector3>, 4>;
 
+/// Tensor spline fitted to a piece of the surface, solved again as ties and knots change.
 class FaceFit {
  public:
-  /// `surface` must outlive this. `before`: a fit of the same surface with less knots, if there is one, whose
-  /// points are not asked for again.
+  /// Fit without ties yet. `surface` must outlive this. `before`: a fit of the same surface with fewer knots,
+  /// or null; its samples are taken over instead of being evaluated again.
   FaceFit(const PieceEvaluator& surface, SplineSpace s, SplineSpace t, FaceBoundary boundary,
           const FitLimits& limits, const FaceFit* before = nullptr);
 
   const SplineSurface& surface() const { return surface_; }
-  /// For the next solution.
+  /// Sets the ties of the next solution.
   void set_ties(std::span<const FaceTie> ties) { inner_.tie(ties, outer_); }
-  /// Other wanted values of the same ties.
+  /// Changes the wanted values of the same ties.
   void want(std::span<const double> values) { inner_.want(values); }
-  /// Least squares of what is off by the limits, with as much on one side of the surface as on the other:
-  /// what is between them has no volume. Before that all points inside are zero.
+  /// Minimises the squared deviations in units of the limits, with zero net volume between face and surface.
+  /// Before the first solution all inner control points are zero.
   void solve() { inner_.solve(surface_); }
-  /// The same for the control points that ties see, while the others stay.
+  /// Solves for the control points that ties depend on; the others stay.
   void solve_rows() { inner_.solve_rows(surface_); }
-  /// Takes the points of the surface that lie under those of the fit, so that the next solution is free to
-  /// run along the surface.
+  /// Reprojects the samples to the surface points under the fit, so that the next solution is free to move
+  /// along the surface.
   void slide();
-  /// Against the surface itself.
+  /// Deviation from the surface itself.
   FaceMiss miss(const FitLimits& limits) const;
 
  private:
@@ -55,18 +56,20 @@ class FaceFit {
   const PieceEvaluator& model_;
   FitLimits limits_;
   SplineSurface surface_;
-  SplineSurface outer_;              ///< the boundary alone: zero inside
-  std::vector<Vector3> outer_part_;  ///< its points at the samples
+  SplineSurface outer_;              ///< the boundary alone: inner control points are zero
+  std::vector<Vector3> outer_part_;  ///< points of `outer_` at the samples
   FitSamples samples_;               ///< at equal parameters
-  std::vector<PatchPoint> under_;    ///< those under the fit
-  std::vector<Vector2> places_;      ///< by s and t, of these
-  std::vector<Vector3> misses_;      ///< of the boundary, at the samples, in the surface's frames
-  std::vector<Vector3> targets_;     ///< positions under the fit, brought to the boundary
-  std::vector<Vector3> areas_;       ///< along the normals, of the samples' parts
+  std::vector<PatchPoint> under_;    ///< surface points under the fit
+  std::vector<Vector2> places_;      ///< parameters (s, t) of `under_`
+  /// Deviation of the boundary, carried to the samples, in the surface's frames.
+  std::vector<Vector3> misses_;
+  std::vector<Vector3> targets_;  ///< `under_` corrected by the deviation of the boundary
+  std::vector<Vector3> areas_;    ///< area of each sample, times its normal
   InnerFit inner_;
 };
 
-/// The spline of given spaces that has the surface's values at the Greville places inside, and the boundary.
+/// Spline of given spaces that interpolates the surface at the inner Greville places and has the given
+/// boundary.
 SplineSurface interpolated(const SplineSpace& s, const SplineSpace& t, const PieceEvaluator& surface,
                            const FaceBoundary& boundary);
 

@@ -8,7 +8,7 @@ namespace hariko {
 
 namespace {
 
-/// For each span, the number of the first place of another space's equal span.
+/// Number of the first place of another space's equal span, for each span.
 std::vector<std::optional<std::size_t>> equal_spans(const FitPlaces& own, const FitPlaces& other) {
   std::vector<std::optional<std::size_t>> out(own.space.span_count());
   if (own.per_span != other.per_span) return out;
@@ -25,7 +25,7 @@ std::vector<std::optional<std::size_t>> equal_spans(const FitPlaces& own, const 
 }  // namespace
 
 FitPlaces::FitPlaces(SplineSpace of) : space(std::move(of)) {
-  // A single span needs as many places as it has functions, and more show what is missed between them.
+  // A single span needs as many places as it has functions; more reveal the error between them.
   const SpanPlaces& places = span_places(space.span_count() < 3 ? space.degree + 2 : space.degree + 1);
   per_span = places.at.size();
   for (std::size_t span = 0; span < space.span_count(); ++span) {

@@ -1,13 +1,13 @@
 #pragma once
 
-// Places at which a fit looks at a surface.
+// Sample places of a fit.
 
 #include "core/cad/cad_piece.hpp"
 #include "core/cad/spline.hpp"
 
 namespace hariko {
 
-/// Gauss places of each span of a space, ascending, with the functions there.
+/// Gauss places in each span of a space, ascending, with the basis functions there.
 struct FitPlaces {
   SplineSpace space;
   std::size_t per_span = 0;
@@ -19,12 +19,12 @@ struct FitPlaces {
   std::size_t span(std::size_t place) const { return place / per_span; }
 };
 
-/// Points of a surface at pairs of places, those of `s` one after another.
+/// Surface points at all pairs of places; those along `s` are consecutive.
 struct FitSamples {
   FitPlaces s, t;
   std::vector<PatchPoint> points;
 
-  /// Takes the points of rectangles between knots that `before`, if given, has too.
+  /// Evaluates the surface, except in rectangles between knots that `before`, if given, shares.
   FitSamples(const PieceEvaluator& surface, FitPlaces s, FitPlaces t, const FitSamples* before);
 };
 

@@ -10,7 +10,7 @@ namespace {
 
 using Number = Eigen::Index;
 
-/// Gram matrix of the functions but the first and the last.
+/// Gram matrix of the basis functions except the first and the last.
 Eigen::MatrixXd inner_gram(const FitPlaces& places) {
   const Number inner = Number(places.space.size()) - 2;
   Eigen::MatrixXd out = Eigen::MatrixXd::Zero(inner, inner);
@@ -63,7 +63,7 @@ InnerFit::InnerFit(const FitPlaces& s, const FitPlaces& t, double weight, std::s
   stiffness_ = flexibility.llt().solve(Eigen::MatrixXd::Identity(count, count));
 }
 
-/// Sums over the places of values times functions.
+/// Sums, over the places, of values times basis functions.
 InnerFit::Field InnerFit::gathered(std::span<const Vector3> values) const {
   Field out;
   out.fill(Eigen::MatrixXd::Zero(m_, n_));
@@ -88,7 +88,7 @@ InnerFit::Field InnerFit::gathered(std::span<const Vector3> values) const {
   return out;
 }
 
-/// Solution of the distances' part alone.
+/// Solution of the distance term alone.
 InnerFit::Field InnerFit::untied(const Field& right) const {
   Field out;
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -106,7 +106,7 @@ Eigen::VectorXd InnerFit::rows_of(const Field& field) const {
   return out;
 }
 
-/// Forces that hold the rows there against the distances.
+/// Forces that hold the rows at given values against the distance term.
 Eigen::VectorXd InnerFit::stiff(const Eigen::VectorXd& rows) const {
   Eigen::VectorXd out(rows.size());
   using Axes = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;
@@ -115,7 +115,7 @@ Eigen::VectorXd InnerFit::stiff(const Eigen::VectorXd& rows) const {
   return out;
 }
 
-/// The solution whose rows are given, which have others without ties.
+/// Complete solution whose rows have given values instead of those without ties.
 InnerFit::Field InnerFit::completed(const Field& untied_field, const Eigen::VectorXd& rows) const {
   const Eigen::VectorXd force = stiff(rows - rows_of(untied_field));
   Field pulled;
@@ -187,7 +187,7 @@ void InnerFit::want(std::span<const double> values) {
   for (std::size_t k = 0; k < ties_.size(); ++k) ties_[k].wanted = values[k];
 }
 
-/// The rows but for the volume, and how many times the volume's move is missing.
+/// Rows without the volume condition, and the multiple of the volume move that is missing.
 Eigen::VectorXd InnerFit::tied_rows(double& missing) const {
   Eigen::VectorXd pull = tie_pull_;
   for (const Tie& tie : ties_)

@@ -1,4 +1,4 @@
-// Rectangles of square patches that are pieces of one spline.
+// Merging of square patches that are pieces of one spline into rectangles.
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -18,20 +18,21 @@ namespace hariko {
 
 namespace {
 
-/// Larger rectangles make systems that take long, and files that others are slow to read.
+/// Longest side of a rectangle, in patches: longer ones make slow systems, and files that are slow to read.
 constexpr Index longest_side = 128;
-/// Two derivatives that agree to this, of the patch's size, are one spline's.
+/// Tolerance, relative to the patch's size, below which derivatives of both sides count as those of one
+/// spline.
 constexpr double same = 1e-10;
 
-/// Two widths that agree to this, of the wider, are one column's.
+/// Tolerance, relative to the wider, below which two widths count as those of one column.
 constexpr double same_width = 1e-9;
 
-/// A patch, turned so that its side `turn` is the cell's side 0.
+/// Patch, turned so that its side `turn` is the cell's side 0.
 struct Placed {
   Index patch = no_index;
   int turn = 0;
 };
-/// Beyond a side of a cell; `width` across the side, of the cell's own.
+/// Patch beyond a side of a cell; `width` is across the side, relative to the cell's own.
 struct Neighbour {
   Placed placed;
   double width = 1;
@@ -113,7 +114,7 @@ class Merger {
 
     Index columns() const { return Index(widths.size()); }
     Index rows() const { return Index(heights.size()); }
-    /// The part of the first columns and rows.
+    /// Rectangle of the first columns and rows.
     Rectangle part(Index width, Index height) const {
       Rectangle out{
           {widths.begin(), widths.begin() + width}, {heights.begin(), heights.begin() + height}, {}};
@@ -130,7 +131,7 @@ class Merger {
 
   static std::size_t slot(PatchSide side) { return 4 * std::size_t(side.patch) + side.side; }
 
-  /// The patch is one polynomial of the surface's degree.
+  /// Whether the patch is one polynomial of the surface's degree.
   bool spline(Index patch) const {
     if (bezier_)
       return bezier_->patch(patch).degree_s == degree_ && bezier_->patch(patch).degree_t == degree_;
@@ -139,7 +140,7 @@ class Merger {
     return dynamic_cast<const BicubicPatchSet*>(&surface_.patches()) != nullptr;
   }
 
-  /// How wide the second patch is where the first is 1 across their seam; nothing where they are not pieces
+  /// Width of the second patch across their seam where the first is 1 wide; nothing where they are not pieces
   /// of one spline.
   std::optional<double> width_across(const Seam& seam) const {
     if (seam.intended == Continuity::g0) return {};
@@ -149,7 +150,7 @@ class Merger {
     return smooth(seam) ? std::optional(1.0) : std::nullopt;
   }
 
-  /// Both sides have the same derivatives up to the second: four places decide for cubics.
+  /// Whether both sides have equal derivatives up to the second; for cubics four places are sufficient.
   bool smooth(const Seam& seam) const {
     const double size =
         std::max(surface_.patch_scale(seam.first.patch), surface_.patch_scale(seam.second.patch));
@@ -165,12 +166,12 @@ class Merger {
     return true;
   }
 
-  /// What lies beyond side `side` of a cell, turned the same way.
+  /// Neighbour beyond side `side` of a cell, turned the same way.
   std::optional<Neighbour> beyond(const Placed& at, int side) const {
     const std::size_t own = slot({at.patch, std::uint8_t((at.turn + side) % 4)});
     const PatchSide other = across_[own];
     if (other.patch == no_index || taken_[other.patch]) return {};
-    // The neighbour's side that meets ours is its cell's side opposite to it.
+    // The neighbour's side at the seam is the opposite side of its cell.
     return Neighbour{{other.patch, (other.side + 4 - (side + 2) % 4) % 4}, width_[own]};
   }
 
@@ -178,7 +179,7 @@ class Merger {
     return std::any_of(list.begin(), list.end(), [&](const Placed& p) { return p.patch == patch; });
   }
 
-  /// As long a row as there is through a cell, then as many rows as there are.
+  /// Grows a rectangle: the longest row through a cell, then as many rows as possible.
   Rectangle grow(const Placed& start) {
     Rectangle out{{1}, {1}, {start}};
     std::vector<Placed>& row = out.placed;
@@ -208,7 +209,7 @@ class Merger {
     return out;
   }
 
-  /// The row of cells beyond the first or last row; empty where there is none.
+  /// Row of cells beyond the first or last row; empty where there is none.
   Row next_row(const Rectangle& rectangle, int side, const std::set<Index>& inside) const {
     Row next;
     const std::size_t edge = side == 2 ? rectangle.placed.size() - rectangle.columns() : 0;
@@ -219,7 +220,7 @@ class Merger {
       const double height = found->width * (side == 2 ? rectangle.heights.back() : rectangle.heights.front());
       if (i == 0) {
         next.height = height;
-      } else {  // the row runs on
+      } else {
         const auto along = beyond(next.placed.back(), 1);
         if (!along || along->placed.patch != found->placed.patch ||
             along->placed.turn != found->placed.turn || !equal_widths(height, next.height) ||
@@ -231,7 +232,7 @@ class Merger {
     return next;
   }
 
-  /// Halved until it does not meet itself: what closes to a ring becomes two pieces.
+  /// Halves a rectangle until it does not meet itself: a closed ring becomes two pieces.
   Rectangle open(Rectangle rectangle) const {
     for (;;) {
       const auto meeting = meeting_sides(rectangle);
@@ -246,9 +247,9 @@ class Merger {
     }
   }
 
-  /// Two sides of the rectangle that have a seam in common.
+  /// Two sides of the rectangle that share a seam, if there are such.
   std::optional<std::pair<int, int>> meeting_sides(const Rectangle& rectangle) const {
-    if (rectangle.placed.size() == 1) return {};  // patches that meet themselves are cut before
+    if (rectangle.placed.size() == 1) return {};  // patches that meet themselves were divided before
     std::map<Index, std::set<int>> border;        // the rectangle's sides at each patch
     const auto each = [&](const auto& visit) {
       const Index columns = rectangle.columns(), rows = rectangle.rows();
@@ -286,8 +287,8 @@ class Merger {
     out.push_back(std::move(piece));
   }
 
-  /// Breaks that one of both faces along an edge has alone are no knots of their common curve: without them
-  /// the other face does not get them when it is made again.
+  /// Knots of the curve along a side. Breaks that only one of the two faces has are no knots of their common
+  /// curve: otherwise the other face would get them when it is made again.
   std::vector<double> side_knots(const CadPiece& piece, int side) const {
     const std::vector<double> breaks = piece.breaks(side);
     std::vector<double> out{breaks.front()};
@@ -303,7 +304,7 @@ class Merger {
     return out;
   }
 
-  /// The widest stretch is 1.
+  /// Breaks of columns or rows, scaled so that the widest is 1.
   static std::vector<double> breaks_of(const std::vector<double>& widths) {
     const double widest = *std::max_element(widths.begin(), widths.end());
     std::vector<double> out{0};
@@ -311,7 +312,7 @@ class Merger {
     return out;
   }
 
-  /// A patch that closes with itself, as four pieces.
+  /// Divides a patch that closes with itself into four pieces.
   void add_quarters(Index patch, std::vector<CadPiece>& out) {
     const Vector2 centre(0.5, 0.5);
     for (int k = 0; k < 4; ++k) {
@@ -328,8 +329,8 @@ class Merger {
     }
   }
 
-  /// How far control points that are computed from those of a neighbour may be off: by the rounding of the
-  /// numbers in the file, which continuing a polynomial multiplies by up to 3^8.
+  /// Tolerance of control points that are computed from a neighbour's: the rounding of the numbers in the
+  /// file, which continuing a polynomial multiplies by up to 3^8.
   static double rounding_of(const Surface& surface) {
     Eigen::AlignedBox3d box;
     for (Index p = 0; p < surface.patch_count(); ++p)
@@ -340,12 +341,12 @@ class Merger {
   }
 
   const Surface& surface_;
-  const BezierPatchSet* bezier_;  ///< the surface's patches where they are such
-  int degree_ = 0;                ///< of Bezier patches that may be joined
+  const BezierPatchSet* bezier_;  ///< the surface's patches where they are Bezier patches, else null
+  int degree_ = 0;                ///< degree of Bezier patches that may be joined
   double rounding_ = 0;
-  std::vector<PatchSide> across_;  ///< the side beyond each side, where both are one spline
-  std::vector<double> width_;      ///< of the patch there, across the side, where the own one is 1
-  std::vector<std::vector<Index>> neighbours_;  ///< patches beyond each side
+  std::vector<PatchSide> across_;  ///< patch side beyond each side, where both are one spline
+  std::vector<double> width_;      ///< width of that patch across the side, where the own one is 1
+  std::vector<std::vector<Index>> neighbours_;  ///< all patches beyond each side
   std::vector<Index> meets_itself_;
   std::vector<char> taken_;
 };

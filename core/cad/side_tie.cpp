@@ -6,7 +6,7 @@ namespace hariko {
 
 namespace {
 
-/// Knots along a side, and those that lead away from it.
+/// Spline spaces along a side and across it.
 struct SideSpaces {
   const SplineSpace &along, &across;
   bool horizontal, at_end;

@@ -1,7 +1,7 @@
 #pragma once
 
-// Ties of a face along its sides: numbers that depend on its control points in a linear way and that the
-// faces of an edge are to have in common.
+// Ties of a face along its sides: quantities, linear in the control points, that the two faces of an edge are
+// to have in common.
 
 #include <array>
 #include <vector>
@@ -10,27 +10,31 @@
 
 namespace hariko {
 
-/// Not where both derivatives are parallel, or nearly: there rounding decides about the normal.
+/// Whether the normal is well determined: not where the derivatives are parallel, or nearly, and rounding
+/// decides.
 bool has_normal(const PatchPoint& point);
 
-/// Part of a control point in a vector.
+/// Factor of a control point in a linear combination.
 struct PointShare {
   std::size_t i = 0, j = 0;
   double factor = 0;
 };
 
-/// Component along a unit normal of a sum of control points.
+/// Component, along a unit normal, of a linear combination of control points.
 struct SideTie {
   Vector3 normal = Vector3::Zero();
   std::vector<PointShare> shares;
 
+  /// Value of the linear combination.
   Vector3 sum(const SplineSurface& surface) const;
+  /// Component of the linear combination along `normal`.
   double of(const SplineSurface& surface) const { return sum(surface).dot(normal); }
 };
 
-/// The derivative across side `side`, in parts of `speed`, at `at` by s or t: where `normal` is perpendicular
-/// to the boundary and `speed` the part of that derivative in the plane and perpendicular to the boundary,
-/// the tie is by how much the face is turned against the plane, about the boundary, radians.
+/// Tie of the derivative across side `side`, divided by `speed`, at parameter `at` (s or t) along the side.
+/// Where `normal` is perpendicular to the boundary and `speed` is the derivative's component in the plane and
+/// perpendicular to the boundary, its value is the angle (radians, for small angles) by which the face is
+/// rotated about the boundary against the plane.
 SideTie turn_tie(const SplineSurface& surface, int side, double at, const Vector3& normal, double speed);
 
 }  // namespace hariko

@@ -9,16 +9,16 @@ namespace hariko {
 
 namespace {
 
-constexpr double least_depth_rounding = 1e-6;  ///< of the view's depth at the point
+constexpr double least_depth_rounding = 1e-6;  ///< relative to the view's depth at the point
 
-/// Positive inside, linear in the point.
+/// Half-space whose function is linear in the point and positive inside.
 struct HalfSpace {
   Vector3 normal;
   double offset;
   double at(const Vector3& p) const { return normal.dot(p) + offset; }
 };
 
-/// normal . (p - eye) + offset
+/// Half-space with the function normal . (p - eye) + offset.
 HalfSpace from_eye(const DrawingView& view, const Vector3& normal, double offset) {
   return {normal, offset - normal.dot(view.eye)};
 }
@@ -27,7 +27,7 @@ std::vector<HalfSpace> visible_space(const DrawingView& view, LineKind kind, dou
   std::vector<HalfSpace> out;
   for (const auto& [axis, side] : {std::pair(view.right, view.width), std::pair(view.up, view.height)})
     for (const double sign : {1.0, -1.0}) {
-      // The distance from the page's middle, at a depth of one in perspective.
+      // Distance from the centre of the page, at a depth of one in perspective.
       const double reach = side / 2 + page_margin;
       if (view.orthographic)
         out.push_back(from_eye(view, sign * view.focal * axis, reach));
@@ -40,7 +40,8 @@ std::vector<HalfSpace> visible_space(const DrawingView& view, LineKind kind, dou
   return out;
 }
 
-/// The part of the way from a to b that is inside of all; nothing when there is none.
+/// Interval of the segment from a to b, in 0 .. 1, that lies inside all half-spaces; nothing where it is
+/// empty.
 std::optional<std::pair<double, double>> part_inside(const std::vector<HalfSpace>& spaces, const Vector3& a,
                                                      const Vector3& b) {
   double begin = 0, end = 1;

@@ -1,6 +1,6 @@
 #pragma once
 
-// What of a curve in space may be seen on the page.
+// Clipping of space curves to the view: near plane, page and section.
 
 #include <vector>
 
@@ -8,12 +8,12 @@
 
 namespace hariko {
 
-/// The parts of a curve that lie before the near plane, on the page or within `page_margin` of it and, but
-/// for the lines of the section itself, on the side of the section that is kept. A curve of which nothing is
-/// cut off stays as it is. O(points).
+/// Parts of a curve beyond the near plane, on the page or within `page_margin` of it and, except for the
+/// section's own lines, on the kept side of the section. A curve that nothing clips is returned unchanged.
+/// O(points).
 std::vector<SpaceCurve> clipped(const SpaceCurve& curve, const DrawingView& view);
 
-/// Rounding in depth at this point, so that what touches is not taken for what hides. Length.
+/// Depth tolerance at a point, a length: what lies nearer by no more than this touches and does not hide.
 double depth_rounding(const DrawingView& view, const Vector3& point);
 
 }  // namespace hariko

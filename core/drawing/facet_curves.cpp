@@ -14,7 +14,7 @@ const double smooth_cosine = std::cos(30 * std::numbers::pi / 180);
 using NodePair = std::pair<Index, Index>;
 
 struct FacetEdge {
-  Vector3 from, to;  ///< of the lower node, of the higher one
+  Vector3 from, to;  ///< directions away from the surface at the lower node and at the higher one
   std::vector<Index> facets;
 };
 
@@ -37,7 +37,7 @@ std::map<NodePair, FacetEdge> edges_of(const SurfaceGrid& grid) {
   return out;
 }
 
-/// Follows edges from node to node as long as exactly two of them meet.
+/// Joins edges to chains through nodes where exactly two of them meet.
 class Chains {
  public:
   Chains(LineKind kind, const std::vector<LineEdge>& edges) : kind_(kind), edges_(edges) {

@@ -1,6 +1,6 @@
 #pragma once
 
-// The lines of a mesh of flat facets in a drawing.
+// Drawn lines of meshes of flat facets.
 
 #include <vector>
 
@@ -8,12 +8,13 @@
 
 namespace hariko {
 
-/// Flat triangles with normals of their own (`facet_surface`), not patches with seams.
+/// Whether the surface is a mesh of flat triangles with their own normals (`facet_surface`), not patches with
+/// seams.
 bool is_facets(const Surface& surface);
 
-/// Borders, edges that are sharper than 30 degrees or have more than two facets as creases, and edges between
-/// a facet that is turned to the viewer and one that is not as silhouettes. Edges of a kind that follow each
-/// other are one curve.
+/// Borders; creases, which are edges sharper than 30 degrees or with more than two facets; and silhouettes,
+/// which are edges between a facet that faces the viewer and one that does not. Consecutive edges of one kind
+/// are joined to one curve. O(edges log edges).
 std::vector<SpaceCurve> facet_curves(const SurfaceGrid& grid, const DrawingView& view);
 
 }  // namespace hariko

@@ -14,10 +14,10 @@ namespace hariko {
 namespace {
 
 constexpr std::size_t most_triangles = 2'000'000;
-constexpr double sample_spacing = 1.5;  ///< of the page
-constexpr double shortest_part = 1.5;   ///< of the page
+constexpr double sample_spacing = 1.5;  ///< page units
+constexpr double shortest_part = 1.5;   ///< page units
 constexpr int change_rounds = 8;
-constexpr double away_steps = 2;  ///< chord errors that a point is moved away from its surface
+constexpr double away_steps = 2;  ///< offset of a point from its surface, in chord errors
 
 struct PagePoint {
   Vector2 page;
@@ -34,7 +34,7 @@ class LineMaker {
   }
 
  private:
-  /// A curve that is on the page.
+  /// Adds the lines of a clipped curve.
   void add_part(const SpaceCurve& curve, double chord_error, std::vector<PageLine>& out) const {
     std::vector<PagePoint> points;
     for (std::size_t i = 0; i < curve.points.size(); ++i) {
@@ -46,7 +46,7 @@ class LineMaker {
     cut(curve.kind, points, out);
   }
 
-  /// The point at a share of the way from point i of the curve to the next.
+  /// Page point, with visibility, at a fraction of the segment from point i of the curve to the next.
   PagePoint see(const SpaceCurve& curve, std::size_t i, double share, double chord_error) const {
     Vector3 point = curve.points[i], away = curve.away[i];
     if (share > 0) {
@@ -58,7 +58,7 @@ class LineMaker {
     return {view_.project(point).head<2>(), occlusion_.hides(moved, rounding)};
   }
 
-  /// The points between two: where it changes whether they are seen.
+  /// Adds points between two points, so that changes of visibility are found.
   void refine(const SpaceCurve& curve, std::size_t i, double chord_error, const PagePoint& from,
               const PagePoint& to, std::vector<PagePoint>& out) const {
     const int count = std::max(1, int(std::ceil((to.page - from.page).norm() / sample_spacing)));
@@ -85,7 +85,7 @@ class LineMaker {
     }
   }
 
-  /// Changes of visibility that are shorter than a pen's width are noise of the triangles.
+  /// Removes changes of visibility shorter than a pen's width, which are artefacts of the triangles.
   static void drop_specks(std::vector<PagePoint>& points) {
     std::size_t begin = 0;
     while (begin < points.size()) {
@@ -116,7 +116,7 @@ class LineMaker {
     }
   }
 
-  /// Without the points that the line stays close to (Douglas, Peucker).
+  /// Polyline simplification (Douglas, Peucker 1973), to `resolution`.
   std::vector<Vector2> simplified(const std::vector<Vector2>& points) const {
     std::vector<bool> kept(points.size(), false);
     kept.front() = kept.back() = true;
@@ -166,7 +166,7 @@ std::vector<SpaceCurve> curves_of(const SurfaceGrid& grid, const DrawingView& vi
   return out;
 }
 
-/// Of the lines in the file: lines that matter more are drawn over others.
+/// Drawing order of a line: more important lines are drawn over others.
 int rank(const PageLine& line) {
   const auto at = std::find(std::begin(line_kinds), std::end(line_kinds), line.kind);
   return 2 * int(at - std::begin(line_kinds)) + (line.hidden ? 1 : 0);
@@ -199,7 +199,7 @@ std::optional<LineKind> line_kind_from(std::string_view name) {
 Result<LineDrawing> draw_lines(std::span<const DrawnSurface> surfaces, const DrawingView& view,
                                const LineDrawingSettings& settings, const CancelToken& cancel,
                                const Progress& progress) {
-  constexpr double grids_share = 0.3;  // of the time
+  constexpr double grids_share = 0.3;  // share of the progress
   progress.report(0);
   std::vector<SurfaceGrid> grids;
   PageOcclusion occlusion(view);

@@ -7,8 +7,8 @@ namespace hariko {
 
 namespace {
 
-constexpr double bin_size = 8;  ///< of the page
-constexpr int most_bins = 512;  ///< along a side
+constexpr double bin_size = 8;  ///< page units
+constexpr int most_bins = 512;  ///< along a side of the page
 
 int bin_count(double length) {
   return std::clamp(int(std::ceil(length / bin_size)), 1, most_bins);
@@ -30,7 +30,7 @@ int PageOcclusion::row(double y) const {
 
 namespace {
 
-/// The part of a convex polygon where a function is not negative, which is linear between corners.
+/// Part of a convex polygon where a function that is linear on its sides is not negative.
 template <class Function>
 std::vector<Vector3> part_of(const std::vector<Vector3>& polygon, Function value) {
   std::vector<Vector3> out;

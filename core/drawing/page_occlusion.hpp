@@ -1,6 +1,6 @@
 #pragma once
 
-// What lies before a point of the page: triangles on the page, in bins.
+// Hidden-line removal: occluding triangles on the page, in bins.
 
 #include <array>
 #include <vector>
@@ -9,21 +9,22 @@
 
 namespace hariko {
 
+/// Visibility test of points against triangles. Thread-safe once all triangles are added.
 class PageOcclusion {
  public:
   explicit PageOcclusion(const DrawingView& view);
 
-  /// What lies well before the near plane hides nothing, nor what the section cuts away or what is beside the
-  /// page.
+  /// Adds a triangle, clipped to the kept side of the section and, in perspective, at half the distance of
+  /// the near plane. Triangles outside the page are ignored.
   void add(const std::array<Vector3, 3>& triangle);
-  /// Is a triangle nearer to the eye than this point, by more than `slack` (length)? To be called after all
-  /// triangles were added.
+  /// Whether a triangle is nearer to the eye than a point, by more than `slack` (a length). All triangles
+  /// must have been added. O(triangles of the bin).
   bool hides(const Vector3& point, double slack) const;
 
  private:
   struct Triangle {
     std::array<Vector2, 3> page;
-    /// Larger is nearer, linear on the page: 1 / depth in perspective, - depth when orthographic.
+    /// Larger is nearer; linear on the page: 1 / depth in perspective, -depth in orthographic views.
     std::array<double, 3> nearness;
   };
   double nearness(double depth) const { return view_.orthographic ? -depth : 1 / depth; }

@@ -11,11 +11,10 @@ namespace {
 
 constexpr int seam_oversampling = 2;
 constexpr int root_rounds = 40;
-constexpr double root_width = 1e-9;     ///< of a grid edge
-constexpr double join_distance = 1e-3;  ///< of a grid edge
+constexpr double root_width = 1e-9;     ///< relative to a grid edge
+constexpr double join_distance = 1e-3;  ///< relative to a grid edge
 
-/// Zero lines of a function of the surface's points. The function is given at grid points by `at_grid`, and
-/// anywhere by `at`.
+/// Zero contours of a function on the surface, traced on the grid's triangles.
 class Contours {
  public:
   using Value = std::function<double(const Vector3& position, const Vector3& normal)>;
@@ -23,11 +22,11 @@ class Contours {
     Index patch;
     Vector2 parameter;
     Vector3 position;
-    double edge;  ///< length of the grid edge that it lies on
+    double edge;  ///< length of the grid edge with the point
   };
   using Line = std::vector<Place>;
 
-  /// `noise`: what rounding may add to the function.
+  /// `noise`: largest rounding error of the function.
   Contours(const SurfaceGrid& grid, Value value, double noise)
       : grid_(grid), value_(std::move(value)), noise_(noise), parameters_(grid.pattern().parameters()) {}
 
@@ -39,8 +38,9 @@ class Contours {
   }
 
  private:
-  /// Zero counts as positive, so that every crossing has two different signs; and rounding's noise, so that
-  /// patches agree about the nodes of a common side that a line runs along (silhouettes of symmetric things).
+  /// Sign of the function, with zero and rounding noise counted as positive: every crossing then has two
+  /// different signs, and patches agree at the nodes of a common side that a contour runs along (silhouettes
+  /// of symmetric shapes).
   bool positive(double x) const { return x >= -noise_; }
 
   Place cross(Index patch, int a, int b) const {
@@ -50,7 +50,7 @@ class Contours {
     const Vector2 whole = high - low;
     double from = 0, to = 1;
     const Vector2 start = low;
-    // False position, bisection where it does not halve the interval.
+    // False position, with bisection in every third round.
     for (int round = 0; round < root_rounds && to - from > root_width; ++round) {
       double x = 0.5 * (from + to);
       if (round % 3 != 2 && at_high != at_low)
@@ -77,7 +77,7 @@ class Contours {
       (positive(value) ? above : below) = true;
     }
     if (!above || !below) return;
-    // Each crossed edge has at most two triangles, each triangle two crossed edges.
+    // A crossed edge belongs to at most two triangles, and a crossed triangle has two crossed edges.
     std::map<std::pair<int, int>, std::vector<std::pair<int, int>>> next;
     for (const auto& triangle : grid_.triangles()) {
       std::vector<std::pair<int, int>> crossed;
@@ -104,7 +104,7 @@ class Contours {
       }
       lines_.push_back(std::move(line));
     };
-    // Open lines first, from their ends; what is left is closed.
+    // Open contours are traced first, from their ends; the rest is closed.
     std::vector<std::pair<int, int>> edges;
     for (const auto& [edge, ways] : next) edges.push_back(edge);
     for (const auto& edge : edges)
@@ -113,7 +113,7 @@ class Contours {
       if (!next[edge].empty()) follow(edge);
   }
 
-  /// Lines that end at the same place on a seam are one.
+  /// Joins contours that end at the same place on a seam.
   void join() {
     struct End {
       std::size_t line;
@@ -179,7 +179,7 @@ class Contours {
   Value value_;
   double noise_;
   std::vector<Vector2> parameters_;
-  std::vector<double> values_;  ///< of the present patch
+  std::vector<double> values_;  ///< function values on the present patch
   std::vector<Line> lines_;
 };
 
@@ -187,8 +187,8 @@ Vector3 facing(const Vector3& normal, const Vector3& towards) {
   return normal.dot(towards) < 0 ? Vector3(-normal) : normal;
 }
 
-/// The side of a seam as points, and what leads away from it. For each point whether the side faces the
-/// viewer.
+/// Appends points and away directions along one side of a seam. Returns, for each point, whether that side's
+/// surface faces the viewer.
 std::vector<bool> add_side(const SurfaceGrid& grid, const DrawingView& view, const PatchSide& side,
                            double begin, double end, std::vector<Vector3>* points,
                            std::vector<Vector3>& away) {
@@ -207,7 +207,8 @@ std::vector<bool> add_side(const SurfaceGrid& grid, const DrawingView& view, con
   return front;
 }
 
-/// A crease, and as silhouettes the parts of it where one side faces the viewer and the other does not.
+/// Curves of a crease: the whole crease, and as silhouettes the parts where exactly one side faces the
+/// viewer.
 std::vector<SpaceCurve> crease_curves(const SurfaceGrid& grid, const DrawingView& view, const Seam& seam) {
   SpaceCurve whole{LineKind::crease, {}, {}};
   const std::vector<bool> first = add_side(grid, view, seam.first, seam.first_begin, seam.first_end,
@@ -232,7 +233,7 @@ std::vector<SpaceCurve> crease_curves(const SurfaceGrid& grid, const DrawingView
 
 std::vector<SpaceCurve> silhouettes(const SurfaceGrid& grid, const DrawingView& view,
                                     const CancelToken& cancel) {
-  constexpr double noise = 1e-9;  // of a cosine
+  constexpr double noise = 1e-9;  // rounding error of a cosine
   Contours contours(
       grid,
       [&view](const Vector3& position, const Vector3& normal) {
@@ -267,7 +268,7 @@ std::vector<SpaceCurve> section_lines(const SurfaceGrid& grid, const DrawingView
     SpaceCurve curve{LineKind::section, {}, {}};
     for (const Contours::Place& place : line) {
       curve.points.push_back(place.position);
-      // Seen across the plane that was cut along.
+      // Section lines are seen from the side that is cut away.
       curve.away.push_back(view.section->normal());
     }
     out.push_back(std::move(curve));

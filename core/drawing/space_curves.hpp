@@ -1,6 +1,6 @@
 #pragma once
 
-// The curves of a drawing in space: contours of functions on a surface, and its seams and borders.
+// Space curves of a drawing: contours of functions on a surface, seams and borders.
 
 #include <functional>
 #include <vector>
@@ -10,21 +10,21 @@
 
 namespace hariko {
 
-/// A curve on a surface, with the direction at each point that leads away from the surface to where it is
-/// seen from (unit or zero).
+/// Curve on a surface. `away` has, for each point, a unit direction (or zero) that leads from the surface to
+/// the side from which the curve is seen.
 struct SpaceCurve {
   LineKind kind;
   std::vector<Vector3> points, away;
 };
 
-/// Where the surface turns from the viewer.
+/// Silhouettes, where the normal is perpendicular to the view direction. O(triangles log triangles).
 std::vector<SpaceCurve> silhouettes(const SurfaceGrid& grid, const DrawingView& view,
                                     const CancelToken& cancel);
-/// Where the view's section cuts the surface; none without a section.
+/// Intersection of the surface with the view's section plane; empty without a section.
 std::vector<SpaceCurve> section_lines(const SurfaceGrid& grid, const DrawingView& view,
                                       const CancelToken& cancel);
-/// Borders, creases (seams that are no more than G0; where one side alone faces the viewer they are
-/// silhouettes) and, if wanted, seams that lie on edges of the source.
+/// Borders, creases (seams that are only G0; parts where exactly one side faces the viewer are silhouettes)
+/// and, if wanted, seams on edges of the source.
 std::vector<SpaceCurve> seam_curves(const SurfaceGrid& grid, const DrawingView& view, bool network);
 
 }  // namespace hariko

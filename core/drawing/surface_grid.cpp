@@ -11,9 +11,10 @@ namespace hariko {
 namespace {
 
 constexpr int coarse_density = 4, finest_density = 128;
-constexpr double wanted_edge = 4;      ///< of a triangle on the page
-constexpr double chord_safety = 3;     ///< the middle of a triangle is farther off than those of its sides
-constexpr double grazing_share = 0.2;  ///< of the length of edges that are seen from their end
+constexpr double wanted_edge = 4;  ///< length of a triangle's edge, page units
+/// Safety factor: the error inside a triangle is larger than at the middles of its sides.
+constexpr double chord_safety = 3;
+constexpr double grazing_share = 0.2;  ///< least weight of edges that are seen end-on
 
 }  // namespace
 
@@ -35,7 +36,7 @@ SurfaceGrid::SurfaceGrid(const DrawnSurface& drawn, const DrawingView& view, std
 
 void SurfaceGrid::choose_density(const DrawingView& view, std::size_t largest) {
   const Surface& surface = drawn_.surface;
-  // Flat facets are themselves.
+  // Flat facets need no subdivision.
   pattern_ = {surface.domain(), is_facets(surface) ? 1 : coarse_density};
   if (pattern_.density == 1) return;
   const std::vector<std::array<int, 3>> triangles = pattern_.triangles();
@@ -55,7 +56,7 @@ void SurfaceGrid::choose_density(const DrawingView& view, std::size_t largest) {
         longest = std::max({longest, (page[a] - page[b]).head<2>().norm(), grazing_share * length});
       }
   }
-  // Nothing is larger than the page may show.
+  // An edge cannot be larger than the page shows.
   longest = std::min(longest, view.width + view.height);
   const std::size_t patches = std::max<std::size_t>(1, surface.patch_count());
   const double most =

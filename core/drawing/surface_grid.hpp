@@ -1,6 +1,6 @@
 #pragma once
 
-// A surface on a grid in world coordinates: what contours are traced on and what hides lines.
+// Sampling grid of a surface in world coordinates, on which contours are traced and which hides lines.
 
 #include <vector>
 
@@ -9,10 +9,10 @@
 
 namespace hariko {
 
-/// Every patch on the same grid.
+/// Points and normals of all patches on the same grid pattern.
 class SurfaceGrid {
  public:
-  /// As fine as the page asks for, at most `largest` triangles.
+  /// Samples as finely as the page requires, with at most `largest` triangles.
   SurfaceGrid(const DrawnSurface& drawn, const DrawingView& view, std::size_t largest);
 
   const Surface& surface() const { return drawn_.surface; }
@@ -20,15 +20,16 @@ class SurfaceGrid {
   const std::vector<std::array<int, 3>>& triangles() const { return triangles_; }
   const Vector3& position(Index patch, int point) const { return positions_[at(patch, point)]; }
   const Vector3& normal(Index patch, int point) const { return normals_[at(patch, point)]; }
-  /// No triangle is farther from the surface, about; length.
+  /// Estimated largest distance of a triangle from the surface, a length.
   double chord_error() const { return chord_error_; }
 
   struct Point {
     Vector3 position, normal;  ///< world; the normal is unit or zero
   };
+  /// Point of the surface itself.
   Point evaluate(Index patch, const Vector2& parameter) const;
-  /// Bending of the surface along a world direction made tangential, against the normal: positive where the
-  /// surface bends towards its normal.
+  /// Second fundamental form, in the tangential part of a world direction: positive where the surface bends
+  /// towards its normal.
   double bending(Index patch, const Vector2& parameter, const Vector3& direction) const;
 
  private:

@@ -8,7 +8,8 @@ namespace hariko {
 
 namespace {
 
-/// Of technical drawings (ISO 128): thick, middle and thin lines, a factor of 1.4 to 2 apart.
+/// Pens of technical drawings (ISO 128): thick, medium and thin lines, whose widths differ by factors of 1.4
+/// to 2.
 struct Pen {
   double width;  ///< mm
   const char* colour;
@@ -29,7 +30,7 @@ Pen pen_of(LineKind kind) {
   return {0.18, "#5a6068"};
 }
 
-constexpr double hidden_width = 0.6;            ///< of what is seen
+constexpr double hidden_width = 0.6;            ///< relative to the width of visible lines
 constexpr double dash_length = 1.2, gap = 0.9;  ///< mm
 
 class SvgWriter {
@@ -106,7 +107,7 @@ class SvgWriter {
 
   const char* unit_;
   double scale_;     ///< numbers of the file per pixel
-  double rounding_;  ///< parts of a unit that are kept
+  double rounding_;  ///< reciprocal of the rounding unit
   std::string out_;
 };
 

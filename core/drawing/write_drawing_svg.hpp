@@ -1,5 +1,7 @@
 #pragma once
 
+// Writer of line drawings as SVG.
+
 #include <cstdint>
 #include <string>
 
@@ -7,14 +9,15 @@
 
 namespace hariko {
 
-/// In what the numbers of the file are; a pixel is 1/96 inch.
+/// Unit of the numbers in a file; a pixel is 1/96 inch.
 enum class PageUnit : std::uint8_t { pixel, millimetre };
+/// Pixels in a millimetre.
 inline constexpr double pixels_per_millimetre = 96 / 25.4;
-inline constexpr double least_page_side = 10, most_page_side = 2000;  ///< mm, that make sense to ask for
+inline constexpr double least_page_side = 10, most_page_side = 2000;  ///< sensible range, mm
 
-/// A drawing whose page is in pixels as SVG 1.1 without a background: one layer a kind of line, hidden ones
-/// dashed in layers of their own. Pens are 0.5, 0.35 and 0.18 mm wide, whatever the size of the page.
-/// Coordinates are rounded to a hundredth of a pixel. Lines that leave the page are cut off by viewers.
+/// SVG 1.1 of a drawing whose page is in pixels, without a background: one layer for each kind of line,
+/// hidden lines dashed in layers of their own. Pens are 0.5, 0.35 and 0.18 mm wide, whatever the size of the
+/// page. Coordinates are rounded to a hundredth of a pixel. Viewers clip lines at the page. O(points).
 std::string write_drawing_svg(const LineDrawing& drawing, PageUnit unit);
 
 }  // namespace hariko

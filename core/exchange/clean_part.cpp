@@ -17,8 +17,7 @@ std::string counted(std::size_t count, const char* one, const char* several) {
   return std::to_string(count) + (count == 1 ? one : several);
 }
 
-/// Three digits of a length that is not negative, never less than it: a tolerance that is typed as it was
-/// told reaches as far.
+/// Text of a non-negative length, three digits, rounded up: used as a tolerance, it still reaches as far.
 std::string length_text(double length) {
   const auto digits = [](double value) {
     std::array<char, 16> out{};
@@ -32,7 +31,7 @@ std::string length_text(double length) {
   return text;
 }
 
-/// Takes a mesh in the place of the part's; its marks go to the new numbers.
+/// Replaces the part's mesh and renumbers its creases and corners.
 void take(TidyMesh tidy, ImportedPart& part) {
   part.mesh = std::move(tidy.mesh);
   const auto number = [&](Index v) { return v < tidy.vertex_of.size() ? tidy.vertex_of[v] : no_index; };
@@ -44,7 +43,7 @@ void take(TidyMesh tidy, ImportedPart& part) {
   for (Index& v : part.corners) v = number(v);
 }
 
-/// Removes vertices that dropped faces left behind; those that no face used before stay.
+/// Removes vertices that only dropped faces used; vertices that no face used before stay.
 void remove_left_over(const std::vector<char>& used_before, ImportedPart& part) {
   std::vector<char> used(part.mesh.positions.size(), 0);
   for (const Index v : part.mesh.face_vertices)

@@ -17,10 +17,10 @@ namespace hariko {
 
 namespace {
 
-/// Shares of the size: above the first a shape is ruined, below the second it is as good as any in the
-/// format.
+/// Displacement relative to the size: above `ruinous` the shape is ruined, below `harmless` it is as good as
+/// the format allows.
 constexpr double ruinous = 1e-4, harmless = 1e-6;
-/// Height of a facet by its longest side, below which it never had an area.
+/// Height of a facet relative to its longest side, below which it counts as having had no area.
 constexpr double needle = 1e-9;
 
 constexpr const char* way_out =
@@ -28,10 +28,10 @@ constexpr const char* way_out =
     "PLY, "
     "3MF or glTF.";
 
-/// Positions as they are in the file, relative to the origin as they were.
+/// Positions after writing and reading, relative to the unrounded origin.
 std::vector<Vector3> rounded_positions(const std::vector<Vector3>& positions, const Vector3& origin,
                                        const FileNumbers& numbers) {
-  // The origin of local floats is written as it is.
+  // The origin of local floats is written in double precision.
   const Vector3 from = numbers.kind == FileNumbers::Kind::floats ? origin : Vector3(Vector3::Zero());
   std::vector<Vector3> out;
   out.reserve(positions.size());
@@ -42,7 +42,7 @@ std::vector<Vector3> rounded_positions(const std::vector<Vector3>& positions, co
   return out;
 }
 
-/// Two corners of the facet become the same.
+/// Whether two different corners of the facet become equal.
 bool collapses(const std::vector<Vector3>& rounded, const std::vector<Vector3>& positions, Index a, Index b) {
   return rounded[a] == rounded[b] && positions[a] != positions[b];
 }
@@ -140,7 +140,7 @@ double largest_rounding(const Eigen::AlignedBox3d& box, const FileNumbers& numbe
   const bool absolute = numbers.kind == FileNumbers::Kind::floats;
   const Vector3 farthest =
       absolute ? Vector3(box.min().cwiseAbs().cwiseMax(box.max().cwiseAbs())) : Vector3(box.sizes());
-  // Half of the last digit is a share of 2^-24 at the most.
+  // Rounding to float is off by at most half of the last digit, a relative error of 2^-24.
   constexpr double share = 0.5 * std::numeric_limits<float>::epsilon();
   return share * farthest.norm();
 }

@@ -16,7 +16,7 @@ std::uint32_t unsigned_at(std::string_view bytes, std::size_t at, std::size_t si
   return value;
 }
 
-/// As section 3.11 of the specification says.
+/// Number at a byte position; normalised integers as in section 3.11 of the glTF 2.0 specification.
 double number_at(const GltfAccessor& accessor, std::size_t at) {
   const std::uint32_t bits = unsigned_at(accessor.bytes, at, gltf_size(accessor.component));
   const bool normalised = accessor.normalised;

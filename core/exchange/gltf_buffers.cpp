@@ -37,7 +37,7 @@ GltfAccessor GltfBuffers::accessor(std::uint64_t number, std::string_view type) 
     if (fields_.error() || ((!sparse || find(*found, "bufferView")) && !read_rows(*found, numbers, out)))
       return out;
     if (!sparse) return out;
-    // Two calls, as the product may be too large for a number.
+    // Two calls, as the product may overflow.
     auto error = collector_.reserve(out.count, 0);
     if (!error) error = collector_.reserve(out.count * (numbers - 1), 0);
     if (error) {
@@ -69,7 +69,7 @@ bool GltfBuffers::read_rows(const Json& found, std::size_t numbers, GltfAccessor
   return true;
 }
 
-/// Puts the rows that a sparse accessor has in the place of others, each of `row` bytes (section 3.6.2.3).
+/// Replaces rows, each of `row` bytes, by those of a sparse accessor (section 3.6.2.3).
 void GltfBuffers::fill_in(const Json& sparse, const GltfAccessor& out, std::size_t row, std::string& whole) {
   const std::string place = out.place + ".sparse";
   const std::uint64_t count = fields_.needed(sparse, "count", place);
@@ -98,7 +98,7 @@ void GltfBuffers::fill_in(const Json& sparse, const GltfAccessor& out, std::size
     rows.bytes.copy(whole.data() + (*places)[k] * row, row, k * rows.stride);
 }
 
-/// Sets `stride` to 0 where the file does not say it.
+/// Bytes of a buffer view. Sets `stride` to 0 where the file gives none.
 std::string_view GltfBuffers::view_bytes(std::uint64_t number, std::uint64_t& stride) {
   const std::string place = numbered("bufferViews", number);
   const Json* view = fields_.entry(root_, "bufferViews", number);
@@ -154,7 +154,7 @@ const std::string* GltfBuffers::buffer_content(std::uint64_t number, Json& buffe
     return nullptr;
   }
   if (!*data) return file_content(uri);
-  uri.clear();  // it may be most of the file
+  uri.clear();  // frees memory: it may be most of the file
   uri.shrink_to_fit();
   return &inside_.emplace(number, *std::move(data).value()).first->second;
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-// GltfBuffers: the buffers of a glTF file, and the accessors that look into them. Internal to core/exchange.
+// GltfBuffers: buffers of a glTF file and the accessors that view them. Internal to core/exchange.
 
 #include <map>
 #include <nlohmann/json_fwd.hpp>
@@ -15,7 +15,8 @@
 
 namespace hariko {
 
-/// Borrows all that it is made of. What is wrong is noted in `fields`; what is given then does not count.
+/// Reader of buffers and accessors. Borrows all constructor arguments. Errors are noted in `fields`; results
+/// after an error do not count.
 class GltfBuffers {
  public:
   /// `binary`: the binary chunk of a .glb file.
@@ -23,7 +24,8 @@ class GltfBuffers {
               SceneCollector& collector, const FileBeside& beside)
       : root_(root), binary_(binary), fields_(fields), collector_(collector), beside_(beside) {}
 
-  /// Rows of a type: "SCALAR", "VEC3", "VEC4" or "MAT4". All rows are there. Sparse ones are filled in.
+  /// Accessor of a type: "SCALAR", "VEC3", "VEC4" or "MAT4". Its rows pass `check_rows`; sparse rows are
+  /// filled in. Memory is counted by the collector.
   GltfAccessor accessor(std::uint64_t number, std::string_view type);
 
  private:
@@ -39,9 +41,9 @@ class GltfBuffers {
   GltfFields& fields_;
   SceneCollector& collector_;
   const FileBeside& beside_;
-  std::map<std::uint64_t, std::string> inside_;    ///< buffers that were written as text
-  std::map<std::string, std::string> files_;       ///< buffers beside, by their paths
-  std::map<std::uint64_t, std::string> complete_;  ///< rows of sparse accessors
+  std::map<std::uint64_t, std::string> inside_;    ///< buffers embedded as text, by number
+  std::map<std::string, std::string> files_;       ///< buffers in other files, by path
+  std::map<std::uint64_t, std::string> complete_;  ///< filled-in rows of sparse accessors, by number
 };
 
 }  // namespace hariko

@@ -12,7 +12,7 @@
 namespace hariko {
 namespace {
 
-// Numbers of the glTF 2.0 specification, section 4 (GLB).
+// Constants of the glTF 2.0 specification, section 4 (GLB).
 constexpr std::string_view magic = "glTF";
 constexpr std::uint32_t json_chunk = 0x4E4F534A, binary_chunk = 0x004E4942;
 
@@ -85,11 +85,12 @@ Result<std::optional<std::string>> data_of_uri(std::string_view uri) {
 }
 
 Result<std::vector<std::string>> buffer_paths(std::string_view uri) {
-  // Some programs write names as they are: "10%.bin" is no address, and "a%20b.bin" may be a name.
+  // Some programs write names without encoding them: "10%.bin" is not a valid URI, and "a%20b.bin" may be a
+  // file's name.
   std::vector<std::string> out;
   for (const auto& text : {without_escapes(uri), std::optional(std::string(uri))}) {
     const std::filesystem::path path = std::filesystem::path(text.value_or("")).lexically_normal();
-    // A scheme has at least two letters and comes before any slash.
+    // A scheme has at least two letters (one letter is a drive) and comes before any slash.
     const std::size_t colon = uri.find(':');
     const bool elsewhere = colon != std::string_view::npos && colon >= 2 && uri.find('/') > colon;
     if (path.empty() || text->find('\0') != std::string::npos || elsewhere || path.is_absolute() ||

@@ -1,6 +1,6 @@
 #pragma once
 
-// The bytes of glTF files: chunks of the binary form, and addresses of buffers. Internal to core/exchange.
+// Container of glTF files: chunks of the binary form, and URIs of buffers. Internal to core/exchange.
 
 #include <optional>
 #include <string>
@@ -11,27 +11,28 @@
 
 namespace hariko {
 
-/// Bytes before the first chunk of the binary form, and before the content of each.
+/// Sizes of the header of the binary form and of each chunk's header, bytes.
 inline constexpr std::size_t glb_header_size = 12, glb_chunk_header_size = 8;
 
+/// Chunks of a glTF file.
 struct GltfChunks {
   std::string_view json;
-  std::optional<std::string_view> binary;  ///< of the binary form only, and not always there
+  std::optional<std::string_view> binary;  ///< binary chunk; only the binary form has one, and not always
 };
 
-/// The binary form begins with its magic number.
+/// Whether the bytes begin with the magic number of the binary form.
 bool looks_like_glb(std::string_view bytes);
 
-/// Takes the binary form apart; anything else is JSON as a whole. Borrows `bytes`. Errors: E_TRUNCATED,
-/// E_PARSE, E_FORMAT_UNKNOWN for other versions than 2.
+/// Splits the binary form into its chunks; other bytes are JSON as a whole. Borrows `bytes`. Errors:
+/// E_TRUNCATED, E_PARSE, E_FORMAT_UNKNOWN for versions other than 2. O(chunks).
 Result<GltfChunks> gltf_chunks(std::string_view bytes);
 
-/// The content of a `data:` address in base64 (RFC 2397); nothing for other addresses. Errors: E_PARSE.
+/// Content of a `data:` URI in base64 (RFC 2397); nothing for other URIs. Errors: E_PARSE. O(size).
 Result<std::optional<std::string>> data_of_uri(std::string_view uri);
 
-/// Paths that a relative address may mean, likeliest first: percent signs resolved, and as it is written. All
-/// stay inside the file's folder; there is at least one. Errors: E_FILE_OPEN for addresses of other machines,
-/// absolute paths and those that leave the folder.
+/// Candidate paths for a relative URI, likeliest first: with percent signs decoded, then as written. At least
+/// one; all stay inside the file's folder. Errors: E_FILE_OPEN for URIs with a scheme, absolute paths and
+/// those that leave the folder.
 Result<std::vector<std::string>> buffer_paths(std::string_view uri);
 
 }  // namespace hariko

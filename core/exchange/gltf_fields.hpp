@@ -1,6 +1,6 @@
 #pragma once
 
-// GltfFields: members of the description of a glTF file, checked. Internal to core/exchange.
+// GltfFields: checked access to members of a glTF file's JSON description. Internal to core/exchange.
 
 #include <cstdint>
 #include <nlohmann/json_fwd.hpp>
@@ -12,33 +12,36 @@
 
 namespace hariko {
 
-/// "nodes[3]".
+/// Name of an entry for messages: "nodes[3]".
 std::string numbered(const char* list, std::uint64_t number);
 
-/// The member of an object; null where there is none.
+/// Member of an object; null where there is none.
 const nlohmann::json* find(const nlohmann::json& object, const char* name);
-/// A member that is text; empty where there is none.
+/// Text member; empty where there is none.
 std::string text_of(const nlohmann::json& object, const char* name);
-/// Length of a member that is a list; 0 where there is none.
+/// Length of a list member; 0 where there is none.
 std::size_t size_of(const nlohmann::json& object, const char* list);
 
-/// Takes members of a type; `place` is what messages call the object. What is wrong is noted, the first time,
-/// and the value given then does not count.
+/// Typed access to members; `place` names the object in messages. The first error is noted, and values
+/// returned after an error do not count.
 class GltfFields {
  public:
   const std::optional<Message>& error() const { return error_; }
-  /// Always false, for callers that have nothing else to give.
+  /// Notes an error. Always returns false, so that callers can return it.
   bool fail(Message message);
+  /// Notes E_PARSE at a place.
   bool fail(const std::string& place, const std::string& sentence);
 
-  /// An object of a list of the whole; null, noted, where there is none.
+  /// Object number `number` in a list of the root; null, with an error noted, where there is none.
   const nlohmann::json* entry(const nlohmann::json& root, const char* list, std::uint64_t number);
-  /// A whole number that is not negative.
+  /// Non-negative integer member; nothing where it is missing or, with an error noted, malformed.
   std::optional<std::uint64_t> whole(const nlohmann::json& object, const char* name,
                                      const std::string& place);
+  /// Non-negative integer member, required.
   std::uint64_t needed(const nlohmann::json& object, const char* name, const std::string& place);
+  /// List of non-negative integers; empty where there is no such member.
   std::vector<std::uint64_t> wholes(const nlohmann::json& object, const char* name, const std::string& place);
-  /// So many numbers, all finite as JSON has no others; empty where there is no such member.
+  /// List of `count` numbers, finite as all JSON numbers; empty where there is no such member.
   std::vector<double> reals(const nlohmann::json& object, const char* name, std::size_t count,
                             const std::string& place);
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// Many places of one mesh (the extension EXT_mesh_gpu_instancing of glTF). Internal to core/exchange.
+// Instances of a mesh (the glTF extension EXT_mesh_gpu_instancing). Internal to core/exchange.
 
 #include <optional>
 #include <string>
@@ -11,8 +11,8 @@
 
 namespace hariko {
 
-/// The places of the instances below their node, of the object `EXT_mesh_gpu_instancing`. Nothing, noted,
-/// where it is faulty.
+/// Placements of the instances relative to their node, read from the object `EXT_mesh_gpu_instancing`.
+/// Nothing, with an error noted, where it is faulty. O(instances).
 std::optional<std::vector<Placement>> gltf_instances(const nlohmann::json& instances,
                                                      const std::string& place, GltfBuffers& buffers,
                                                      GltfFields& fields, SceneCollector& collector);

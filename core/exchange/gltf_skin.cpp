@@ -10,9 +10,9 @@ using Json = nlohmann::json;
 
 namespace {
 
-constexpr int most_sets = 64;  // of four joints a point
+constexpr int most_sets = 64;  // sets of four joints a point
 
-/// The matrix of a row: columns one after the other.
+/// Matrix of a row, stored by columns.
 Placement matrix_of(const GltfAccessor& matrices, std::uint64_t row) {
   Placement out;
   const auto at = [&](int line, int column) {
@@ -57,7 +57,7 @@ bool GltfSkin::bend(const Json& attributes, const std::string& place, GltfBuffer
         sum[v] += weight;
       }
   }
-  // Points that no joint holds go with the first one.
+  // Points without weights follow the first joint.
   for (std::size_t v = 0; v < points.size(); ++v)
     points[v] = sum[v] > 0 ? Vector3(moved[v] / sum[v]) : joints_.front()(points[v]);
   return true;

@@ -1,6 +1,6 @@
 #pragma once
 
-// GltfSkin: the joints that bend a mesh of a glTF file. Internal to core/exchange.
+// GltfSkin: skinning of a glTF mesh by joints. Internal to core/exchange.
 
 #include <map>
 #include <optional>
@@ -12,15 +12,17 @@
 
 namespace hariko {
 
+/// Joints of a skin, at rest; deforms the points of meshes by linear blend skinning.
 class GltfSkin {
  public:
-  /// `joints`: from the space of the mesh to the document's, one a joint.
+  /// `joints`: one map a joint, from the space of the mesh to the document's.
   explicit GltfSkin(std::vector<Placement> joints) : joints_(std::move(joints)) {}
 
-  /// The mesh comes out with its inside outside.
+  /// Whether the skin mirrors the mesh, so that its faces must be turned over.
   bool mirrors() const { return !joints_.empty() && joints_.front().mirrors(); }
-  /// Moves the points of a primitive to where the joints carry them, by their weights, whose sum counts as
-  /// 1. False, noted, where joints or weights are missing or name no joint. O(points).
+  /// Moves the points of a primitive by the weighted mean of their joints' maps; weights are normalised to
+  /// sum 1. False, with an error noted, where joints or weights are missing or a joint does not exist.
+  /// O(points).
   bool bend(const nlohmann::json& attributes, const std::string& place, GltfBuffers& buffers,
             GltfFields& fields, std::vector<Vector3>& points) const;
 
@@ -28,8 +30,8 @@ class GltfSkin {
   std::vector<Placement> joints_;
 };
 
-/// The skin with its joints as their nodes stand; `places` has the nodes of the scene. Nothing, noted, where
-/// it is faulty.
+/// Skin with its joints in their nodes' rest positions; `places` has the placements of the scene's nodes.
+/// Nothing, with an error noted, where it is faulty. O(joints).
 std::optional<GltfSkin> gltf_skin(const nlohmann::json& skin, const std::string& place,
                                   const std::map<std::uint64_t, Placement>& places, GltfBuffers& buffers,
                                   GltfFields& fields, SceneCollector& collector);

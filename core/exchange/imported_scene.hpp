@@ -1,6 +1,6 @@
 #pragma once
 
-// What readers of formats with several objects return: one mesh for each of them, in its place.
+// Result of readers of formats with several objects: one mesh for each object, in its place.
 
 #include <array>
 #include <string>
@@ -11,30 +11,30 @@
 
 namespace hariko {
 
-inline constexpr Code w_flat_part{"W_FLAT_PART"};  ///< an object whose transform makes it flat or a point
-/// Parts of a file that have a shape and are not imported: points, lines, poses.
+inline constexpr Code w_flat_part{"W_FLAT_PART"};  ///< an object that its transform makes flat or a point
+/// Contents of a file that have a shape and are not imported: points, lines, poses.
 inline constexpr Code w_left_out{"W_LEFT_OUT"};
 
-/// A mesh with faces, its indices in range and its positions finite, after all transforms, z up.
+/// Mesh with faces, its indices in range and its positions finite, after all transforms, z up.
 struct ImportedPart {
   PolygonMesh mesh;
-  std::string name;                                ///< printable UTF-8; empty when the file gives none
-  std::vector<std::array<Index, 2>> creases = {};  ///< sharp edges, by their vertices
+  std::string name;                                ///< printable UTF-8; empty where the file gives none
+  std::vector<std::array<Index, 2>> creases = {};  ///< sharp edges, as pairs of vertices
   std::vector<Index> corners = {};                 ///< sharp vertices
 };
 
-/// Invariant: there is a part, or an object of patches.
+/// Objects of a file. Invariant: there is at least one part or one object of patches.
 struct ImportedScene {
   std::vector<ImportedPart> parts;
-  std::vector<NamedPatches> patches = {};  ///< none of them empty; all pass `check_patch`
+  std::vector<NamedPatches> patches = {};  ///< none is empty; all pass `check_patch`
   std::vector<Message> warnings;
-  /// Length of the meshes' unit where the file says it: 0.001, 0.01, 0.0254 or 1.
+  /// Length of the meshes' unit where the file gives it, metres: 0.001, 0.01, 0.0254 or 1.
   std::optional<double> metres_per_unit;
 
   static constexpr std::size_t max_parts = 10'000;
 };
 
-/// All parts, of which there must be one, as one mesh, with the first name; without patches.
+/// All parts (at least one) joined to one mesh with the first part's name; patches are dropped.
 ImportedMesh merged(ImportedScene scene);
 
 }  // namespace hariko

@@ -18,8 +18,8 @@ struct Entry {
   JsonKind kind;
   std::string_view name;
   std::string_view format;   ///< value of the member "format"; empty for kinds without one
-  std::string_view use;      ///< of files that cannot be opened
-  std::string_view marks{};  ///< what tells kinds without a format, for messages
+  std::string_view use;      ///< advice for kinds that cannot be opened
+  std::string_view marks{};  ///< distinguishing members of kinds without a format, for messages
 };
 constexpr std::array entries{
     Entry{JsonKind::document, "a Hariko document", "hariko", ""},
@@ -35,7 +35,7 @@ const Entry& entry_of(JsonKind kind) {
   return *std::find_if(entries.begin(), entries.end(), [&](const Entry& e) { return e.kind == kind; });
 }
 
-/// Notes the members of the whole, the value of "format" and whether an object two levels down has "ctrl".
+/// Collects the top-level members, the value of "format", and whether an object two levels down has "ctrl".
 class Marks : public nlohmann::json_sax<Json> {
  public:
   std::string format;

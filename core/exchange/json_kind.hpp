@@ -1,6 +1,6 @@
 #pragma once
 
-// What a JSON file holds, told by its content: the ending .json says nothing.
+// Kinds of JSON files, recognised by content because the ending .json does not tell.
 
 #include <filesystem>
 #include <string_view>
@@ -9,16 +9,17 @@
 
 namespace hariko {
 
+/// Kinds of JSON files that this program writes or reads.
 enum class JsonKind { document, patches, scene, skin, outline, keys, layout };
 
-/// The kind by its marks: a member "format" for those that have one, objects with "ctrl" for patches, else
-/// the members of the whole. E_PARSE where the text is no JSON; E_FORMAT_UNKNOWN where no kind has such
-/// marks, with the kinds that this program takes. Other kinds are entries in a table (json_kind.cpp).
+/// Kind of a JSON text: by its member "format", by objects with "ctrl" for patches, otherwise by its
+/// top-level members. Kinds are entries of a table (json_kind.cpp). Errors: E_PARSE where the text is not
+/// JSON; E_FORMAT_UNKNOWN, listing the kinds that this program takes, where no kind matches. O(size).
 Result<JsonKind> json_kind(std::string_view text);
 
-/// What a kind is called in messages: "key bindings".
+/// Name of a kind in messages: "key bindings".
 std::string_view name_of(JsonKind kind);
-/// How such a file is used when it cannot be opened; empty for those that can.
+/// Advice on how to use a file that cannot be opened; empty for kinds that can.
 std::string_view use_of(JsonKind kind);
 
 }  // namespace hariko

@@ -20,7 +20,7 @@
 namespace hariko {
 namespace {
 
-/// True when one of the first statements is a vertex of an OBJ file.
+/// Whether one of the first statements is a vertex of an OBJ file.
 bool looks_like_obj(std::string_view bytes) {
   TextScanner scanner(bytes.substr(0, 65536), {.comments = true, .continuation = true});
   while (scanner.find_content()) {
@@ -36,7 +36,7 @@ Message in_file(const std::filesystem::path& path, Message message) {
   return message;
 }
 
-/// Of the formats that have one mesh.
+/// Scene of a format that has one mesh.
 Result<ImportedScene> as_scene(Result<ImportedMesh> result) {
   if (!result) return result.error();
   ImportedMesh mesh = std::move(result).value();
@@ -57,7 +57,7 @@ Result<std::string> bytes_of(const std::string& extension, std::span<const Mesh>
   return write_gltf(meshes, metres_per_unit, extension == ".glb" ? GltfForm::binary : GltfForm::text);
 }
 
-/// The space of a file of these choices, and the length of its unit.
+/// Space of a file, and the length of its unit.
 struct FilePlan {
   FileSpace space;
   double metres_per_file_unit = 0.001;
@@ -67,7 +67,7 @@ FilePlan plan_of(const FormatChoices& choices, const WriteOptions& options) {
   FilePlan out;
   out.metres_per_file_unit =
       choices.unit ? options.metres_per_file_unit.value_or(options.metres_per_unit) : options.metres_per_unit;
-  out.space = {// 1 exactly where both units are the same
+  out.space = {// exactly 1 where both units are equal
                options.factor * (options.metres_per_unit / out.metres_per_file_unit),
                choices.up ? options.up : UpAxis::z};
   return out;
@@ -87,7 +87,7 @@ Eigen::AlignedBox3d box_of(std::span<const NamedPolygons> meshes) {
   return box;
 }
 
-/// Meshes as they stand in the file, with what its digits do to them.
+/// Meshes in the file's space, with the effect of the format's rounding.
 template <class Mesh>
 struct Prepared {
   std::vector<Mesh> named;

@@ -1,22 +1,24 @@
 #pragma once
 
-// MeshImport: what meshes become when they are opened or imported.
+// MeshImport: choices for meshes that are opened or imported.
 
 #include <cstddef>
 
 namespace hariko {
 
+/// Kinds of objects that an imported mesh can become.
 enum class MeshUse {
-  ask,       ///< a cage; from many faces on it is asked
-  cage,      ///< a polyhedron, whose surface is made
+  ask,       ///< a cage; with more than `dense_faces` faces the user is asked
+  cage,      ///< control polyhedron of a surface
   reference  ///< facets to trace and to measure, without a surface
 };
 
+/// Choices for imported meshes.
 struct MeshImport {
   MeshUse use = MeshUse::ask;
-  bool creases = false;        ///< edges above the angle become creases
-  double crease_degrees = 30;  ///< between the normals of their faces, 0 .. 180
-  /// From more faces on a cage is slow to work with, and seldom meant.
+  bool creases = false;        ///< edges above `crease_degrees` become creases
+  double crease_degrees = 30;  ///< angle between the normals of the faces, 0 .. 180
+  /// Number of faces above which a cage is slow to work with, and seldom intended.
   static constexpr std::size_t dense_faces = 5000;
 
   friend bool operator==(const MeshImport&, const MeshImport&) = default;

@@ -1,5 +1,7 @@
 #pragma once
 
+// Names of meshes in text formats. Internal to core/exchange.
+
 #include <string>
 #include <string_view>
 
@@ -7,8 +9,8 @@
 
 namespace hariko {
 
-/// A name that fits on one line of a text format: no control characters, no backslash (it could join lines),
-/// no # (it could start a comment), no blanks at the ends; "object" when nothing is left.
+/// Name for one line of a text format: no control characters, no backslash (it could join lines), no # (it
+/// could start a comment), no blanks at the ends; "object" where nothing is left.
 inline std::string name_for_file(std::string_view name) {
   std::string out = printable(name, 200);
   for (char& c : out)

@@ -17,7 +17,7 @@ constexpr std::size_t max_objects = 1'000'000;
 constexpr std::string_view core_namespace = "http://schemas.microsoft.com/3dmanufacturing/core/2015/02";
 constexpr std::string_view production_namespace =
     "http://schemas.microsoft.com/3dmanufacturing/production/2015/06";
-/// Extensions that files may require: shapes do not depend on them, or they are read.
+/// Namespaces of extensions that files may require: they are read, or do not affect shapes.
 constexpr std::array<std::string_view, 4> known_namespaces{
     core_namespace, production_namespace, "http://schemas.microsoft.com/3dmanufacturing/material/2015/02",
     "http://schemas.microsoft.com/3dmanufacturing/trianglesets/2021/07"};
@@ -30,7 +30,7 @@ constexpr std::array length_units{LengthUnit{"micron", 1e-6},     LengthUnit{"mi
                                   LengthUnit{"centimeter", 1e-2}, LengthUnit{"inch", 0.0254},
                                   LengthUnit{"foot", 0.3048},     LengthUnit{"meter", 1}};
 
-/// The elements that matter; all else is `other`, with what is inside.
+/// Elements that are read; all others are `other`, with their content.
 enum class Tag {
   document,
   model,
@@ -66,8 +66,8 @@ Tag tag_in(Tag parent, std::string_view name) {
   return Tag::other;
 }
 
-/// "beamlattice" (http://schemas.microsoft.com/3dmanufacturing/beamlattice/2017/02): the word that matters
-/// stands before the date.
+/// Name of an extension by its URI (http://schemas.microsoft.com/3dmanufacturing/beamlattice/2017/02 gives
+/// "beamlattice"): the word before the date.
 std::string extension_name(const std::string& uri) {
   std::string_view rest = uri;
   for (;;) {
@@ -109,7 +109,7 @@ class ModelParser3mf::Handler final : public XmlTarget {
   }
 
   void declare(std::string_view prefix, std::string_view uri) override {
-    if (stack_.size() == 1) prefixes_[std::string(prefix)] = uri;  // of the whole
+    if (stack_.size() == 1) prefixes_[std::string(prefix)] = uri;  // declared at the root
   }
   void start(std::string_view name, const XmlAttributes& attributes) override {
     const Tag parent = stack_.back(), tag = tag_in(parent, name);
@@ -219,7 +219,7 @@ class ModelParser3mf::Handler final : public XmlTarget {
     if (const char* part = attributes.find(production_path_)) out.part = part;
     const char* transform = attributes.find("transform");
     if (!transform) return out;
-    // Rows of a matrix that stands behind a row vector.
+    // Rows of a 4 by 3 matrix that multiplies row vectors.
     const auto words = words_of(transform);
     std::array<double, 12> values{};
     bool good = words.size() == values.size();

@@ -1,6 +1,6 @@
 #pragma once
 
-// The model part of a 3MF file: its objects as the XML text says. Internal to core/exchange.
+// Model parts of 3MF files, as their XML text describes them. Internal to core/exchange.
 
 #include <cstdint>
 #include <map>
@@ -15,20 +15,22 @@
 
 namespace hariko {
 
-/// An object that is placed: by the build, or as a component of another one.
+/// Reference to an object, with its placement: an item of the build, or a component of another object.
 struct Placed3mf {
   std::uint64_t object = 0;
-  std::string part;  ///< where it is, with a slash at its beginning; empty: the same part
+  std::string part;  ///< part with the object, beginning with a slash; empty: the same part
   Placement placement;
   std::size_t line = 0;
 };
 
+/// Object of a model part: a mesh, or components.
 struct Object3mf {
   std::string name;
   PolygonMesh mesh;                   ///< triangles, indices in range
   std::vector<Placed3mf> components;  ///< instead of a mesh
 };
 
+/// Contents of a model part.
 struct Model3mf {
   double metres_per_unit = 0.001;
   std::map<std::uint64_t, Object3mf> objects;
@@ -36,15 +38,15 @@ struct Model3mf {
   std::size_t degenerate = 0;  ///< triangles that were left out
 };
 
-/// Reads the text piece by piece as it is unpacked.
+/// Parser of a model part, fed piece by piece while it is unpacked.
 class ModelParser3mf {
  public:
-  /// `part` is what messages call it.
+  /// `part` names the text in messages.
   ModelParser3mf(std::string part, const ReadLimits& limits);
   ~ModelParser3mf();
-  /// False where the text is refused; `finish` then says why.
+  /// Parses the next piece; false where the text is refused, for the reason that `finish` returns.
   bool feed(std::string_view piece);
-  /// Ends the text. Errors: those of `read_3mf` about one part.
+  /// Ends the text. Errors: those of `read_3mf` that concern one part.
   Result<Model3mf> finish();
 
  private:

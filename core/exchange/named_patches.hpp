@@ -1,6 +1,6 @@
 #pragma once
 
-// NamedPatches: loose Bezier patches of a file that are one object.
+// NamedPatches: Bezier patches of a file that form one object.
 
 #include <string>
 #include <vector>
@@ -9,12 +9,13 @@
 
 namespace hariko {
 
-/// Patches that belong together, loose: `weld_patches` joins them. Points are absolute.
+/// Bezier patches of one object, not joined yet: `weld_patches` joins them. Points are absolute.
 struct NamedPatches {
-  std::string name;  ///< printable; empty when the file gives none
+  std::string name;  ///< printable; empty where the file gives none
   std::vector<BezierPatch> patches;
 };
 
+/// Limit of the patches of a file.
 inline constexpr std::size_t max_patches_of_file = 100'000;
 
 }  // namespace hariko

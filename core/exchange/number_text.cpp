@@ -14,8 +14,8 @@ bool is_digit(char c) {
   return c >= '0' && c <= '9';
 }
 
-/// Plain decimals such as -12.345: both the digits (up to 15) and the power of ten are exact doubles, so one
-/// division rounds correctly (Clinger 1990). False where that does not apply.
+/// Parses plain decimals such as -12.345: both the digits (up to 15) and the power of ten are exact doubles,
+/// so one division rounds correctly (Clinger 1990). False where that does not apply.
 bool parse_short_decimal(std::string_view text, double& value) {
   std::size_t i = 0;
   const bool negative = text[0] == '-';
@@ -37,8 +37,8 @@ bool parse_short_decimal(std::string_view text, double& value) {
   return true;
 }
 
-/// For a well-formed number outside the range of doubles: is it above (true) or below (false)? The sign of
-/// its decimal exponent in scientific notation tells, because both ends of the range are far from 1.
+/// Whether a well-formed number outside the range of doubles is above it (true) or below (false). The sign of
+/// its decimal exponent in scientific notation decides, because both ends of the range are far from 1.
 bool is_huge(std::string_view text) {
   std::int64_t leading_power = 0;  // power of ten of the first digit that is not 0
   bool found = false, after_point = false;
@@ -55,7 +55,7 @@ bool is_huge(std::string_view text) {
     std::string_view rest = text.substr(i + 1);
     const bool negative = !rest.empty() && rest[0] == '-';
     if (parse_integer(rest, exponent) != NumberStatus::ok)
-      return !negative;  // too long an exponent decides alone
+      return !negative;  // an exponent that long decides alone
   }
   constexpr std::int64_t far = std::int64_t{1} << 50;  // no text is that long
   return leading_power + std::clamp(exponent, -far, far) > 0;

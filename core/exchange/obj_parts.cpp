@@ -14,11 +14,11 @@ namespace {
 
 constexpr std::size_t name_length = 200;
 
-/// Groups that share a place become one; the least number of each set stands for it.
+/// Joins groups that share a position; each set is represented by its least number.
 void join_touching(const PolygonMesh& mesh, std::vector<std::size_t>& part_of_face, std::size_t count) {
   DisjointSets sets(count);
   PointWelder places(mesh.positions.size());
-  std::vector<Index> owner;  // of a place: the first group that was there
+  std::vector<Index> owner;  // first group at each position
   for (std::size_t f = 0; f < mesh.face_count(); ++f)
     for (const Index v : mesh.face(f)) {
       const Index place = places.add(mesh.positions[v]);
@@ -30,7 +30,7 @@ void join_touching(const PolygonMesh& mesh, std::vector<std::size_t>& part_of_fa
   for (std::size_t& part : part_of_face) part = sets.find(static_cast<Index>(part));
 }
 
-/// The faces of one part, with the vertices that they use, in their order.
+/// Extracts the faces of one part with the vertices that they use, both in their order.
 class PartMaker {
  public:
   explicit PartMaker(const PolygonMesh& mesh) : mesh_(mesh), number_(mesh.positions.size(), no_index) {}
@@ -54,7 +54,7 @@ class PartMaker {
     used_ = std::move(used);
     return out;
   }
-  /// Takes the creases and corners (both ascending, low vertex first) that the part of these faces has.
+  /// Adds the creases and corners (both ascending, low vertex first) that lie on these faces.
   void mark(const std::vector<std::size_t>& faces, const std::vector<std::array<Index, 2>>& creases,
             const std::vector<Index>& corners, ImportedPart& part) const {
     for (const std::size_t f : faces) {
@@ -88,14 +88,14 @@ void ObjParts::begin_group(std::string_view name, std::size_t face) {
   if (group_name_.empty()) group_name_ = groups_.back().name;
 }
 
-/// Number of the part of each face, ascending with the first face of each; and their names.
+/// Number of the part of each face, in the order of their first faces; and the names of the parts.
 std::vector<std::size_t> ObjParts::part_of_faces(const PolygonMesh& mesh,
                                                  std::vector<std::string>& names) const {
   const bool by_group = objects_.empty();
   const std::vector<Run>& runs = by_group ? groups_ : objects_;
   std::vector<std::size_t> out(mesh.face_count());
-  names.assign(1, std::string());                    // before the first statement
-  std::map<std::string, std::size_t> group_numbers;  // a group may go on later
+  names.assign(1, std::string());                    // faces before the first statement
+  std::map<std::string, std::size_t> group_numbers;  // a group may be continued later
   std::size_t run = 0, part = 0;
   for (std::size_t f = 0; f < out.size(); ++f) {
     for (; run < runs.size() && runs[run].face <= f; ++run) {

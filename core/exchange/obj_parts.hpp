@@ -1,6 +1,6 @@
 #pragma once
 
-// Objects and groups of an OBJ file as parts. Internal to core/exchange.
+// Division of an OBJ file into parts by its objects and groups. Internal to core/exchange.
 
 #include <array>
 #include <string>
@@ -11,29 +11,30 @@
 
 namespace hariko {
 
-/// Notes where objects and groups begin while faces are read.
+/// Records where objects and groups begin while faces are read.
 class ObjParts {
  public:
-  /// A statement `o` or `g`, before face number `face`.
+  /// Records a statement `o` before face number `face`.
   void begin_object(std::string_view name, std::size_t face);
+  /// Records a statement `g` before face number `face`.
   void begin_group(std::string_view name, std::size_t face);
 
-  /// Name of the whole: of the first object, else the first group; printable.
+  /// Name for the whole file: the first object's, else the first group's; printable.
   const std::string& first_name() const { return object_name_.empty() ? group_name_ : object_name_; }
 
-  /// Name of what is read now: of the object, else the group.
+  /// Name of the present object, else of the present group.
   std::string current_name() const {
     return !objects_.empty() ? objects_.back().name : groups_.empty() ? std::string() : groups_.back().name;
   }
 
-  /// The mesh taken apart: each object is a part, or each set of groups that meet in some place. One part
-  /// alone keeps the mesh as it is, and so do more than `ImportedScene::max_parts`. O(corners log corners).
+  /// Splits the mesh: each object is a part or, where there is none, each set of groups that touch. A single
+  /// part keeps the mesh unchanged, and so do more than `ImportedScene::max_parts`. O(corners log corners).
   std::vector<ImportedPart> split(PolygonMesh mesh, std::vector<std::array<Index, 2>> creases,
                                   std::vector<Index> corners) const;
 
  private:
   struct Run {
-    std::size_t face = 0;  ///< the first
+    std::size_t face = 0;  ///< first face
     std::string name;
   };
   std::vector<std::size_t> part_of_faces(const PolygonMesh& mesh, std::vector<std::string>& names) const;

@@ -32,7 +32,7 @@ std::optional<Message> ObjSurfaces::read(std::string_view keyword, TextScanner& 
   if (keyword == "deg") {
     degree_u_ = degree_v_ = 0;
     if (auto error = scanner.read_integer("degree", degree_u_)) return error;
-    const std::string_view second = scanner.token();  // curves have one
+    const std::string_view second = scanner.token();  // curves have one degree only
     if (!second.empty() && parse_integer(second, degree_v_) != NumberStatus::ok)
       return scanner.error_here(e_parse, "A degree is a whole number, but here is " + quote(second) + ".",
                                 remedy_correct);
@@ -67,7 +67,7 @@ std::optional<Message> ObjSurfaces::read_surface(TextScanner& scanner, std::size
   out.degree_u = static_cast<int>(degree_u_);
   out.degree_v = static_cast<int>(degree_v_);
   double ignored = 0;
-  for (int k = 0; k < 4; ++k)  // the range of parameters: a patch is drawn as a whole
+  for (int k = 0; k < 4; ++k)  // ignores the parameter range: a patch is used as a whole
     if (auto error = scanner.read_real("parameter", ignored)) return error;
   for (std::string_view token = scanner.token(); !token.empty(); token = scanner.token()) {
     std::int64_t index = 0;
@@ -98,7 +98,7 @@ Result<std::vector<NamedPatches>> ObjSurfaces::patches(const std::vector<Vector3
         return wrong(e_index_range, "The surface names vertex " + std::to_string(v + 1) +
                                         ", but the file has " + std::to_string(positions.size()) +
                                         " vertices.");
-    // Bezier surfaces of several patches share the points of their sides.
+    // Bezier surfaces of several patches share the control points of common sides.
     const std::size_t du = std::size_t(surface.degree_u), dv = std::size_t(surface.degree_v);
     const std::size_t columns = std::max<std::size_t>(surface.knots_u, 2) - 1,
                       rows = std::max<std::size_t>(surface.knots_v, 2) - 1;

@@ -12,7 +12,7 @@ namespace hariko {
 
 namespace {
 
-/// "2/1/0": how many whole numbers, numbers and words follow.
+/// Parses "2/1/0": the numbers of integers, of reals and of words that follow.
 bool read_counts(std::string_view token, std::array<std::int64_t, 3>& counts) {
   for (std::size_t k = 0; k < counts.size(); ++k) {
     const std::size_t slash = token.find('/');
@@ -43,7 +43,7 @@ bool ObjTags::read_numbers(TextScanner& scanner, std::vector<std::int64_t>& vert
 
 void ObjTags::read(TextScanner& scanner) {
   const std::string_view name = scanner.token();
-  if (name != "crease" && name != "corner") return;  // rules of borders and textures
+  if (name != "crease" && name != "corner") return;  // other tags: boundary and texture rules
   std::vector<std::int64_t> vertices;
   std::vector<double> sharpness;
   const bool edges = name == "crease";
@@ -51,7 +51,7 @@ void ObjTags::read(TextScanner& scanner) {
     ++unread_;
     return;
   }
-  // One sharpness for all, or one each.
+  // One sharpness for all vertices, or one for each.
   const std::size_t count = edges ? vertices.size() - 1 : vertices.size();
   for (std::size_t k = 0; k < count; ++k) {
     const double sharp = sharpness[std::min(k, sharpness.size() - 1)];

@@ -1,6 +1,6 @@
 #pragma once
 
-// Tags of subdivision surfaces in OBJ files. Internal to core/exchange.
+// Crease and corner tags of subdivision surfaces in OBJ files. Internal to core/exchange.
 
 #include <array>
 #include <cstdint>
@@ -12,16 +12,17 @@
 
 namespace hariko {
 
-/// Creases and corners as OpenSubdiv's files have them: `t crease 2/1/0 a b sharpness`, chains of more
-/// vertices too, and `t corner 1/1/0 v sharpness`, vertices counted from 0 over the whole file.
+/// Tags in the form of OpenSubdiv's files: `t crease 2/1/0 a b sharpness`, also with chains of more vertices,
+/// and `t corner 1/1/0 v sharpness`. Vertices are counted from 0 over the whole file.
 class ObjTags {
  public:
-  /// The rest of a statement `t`.
+  /// Reads the rest of a statement `t`.
   void read(TextScanner& scanner);
-  /// Edges and vertices that are sharp at all, in a file of so many vertices.
+  /// Edges with a sharpness above 0, in a file with this number of vertices; low vertex first.
   std::vector<std::array<Index, 2>> creases(std::size_t vertices) const;
+  /// Vertices with a sharpness above 0, in a file with this number of vertices.
   std::vector<Index> corners(std::size_t vertices) const;
-  /// W_SOFT_CREASES where some are only partly sharp, W_UNKNOWN_STATEMENT where tags cannot be read.
+  /// Adds W_SOFT_CREASES where some tags are semi-sharp, and W_UNKNOWN_STATEMENT where some cannot be read.
   void warn(std::size_t vertices, std::vector<Message>& warnings) const;
 
  private:

@@ -1,6 +1,6 @@
 #pragma once
 
-// Placement: where an object of a file stands. Internal to core/exchange.
+// Placement: affine map of an object in a file. Internal to core/exchange.
 
 #include <Eigen/LU>
 
@@ -8,18 +8,20 @@
 
 namespace hariko {
 
-/// x becomes linear x + shift.
+/// Affine map: x becomes linear x + shift.
 struct Placement {
   Matrix3 linear = Matrix3::Identity();
   Vector3 shift = Vector3::Zero();
 
   Vector3 operator()(const Vector3& point) const { return linear * point + shift; }
-  /// First `inner`, then this.
+  /// Composition: first `inner`, then this.
   Placement after(const Placement& inner) const { return {linear * inner.linear, (*this)(inner.shift)}; }
+  /// Whether the map is the identity.
   bool is_same() const { return linear == Matrix3::Identity() && shift == Vector3::Zero(); }
   bool is_finite() const { return linear.allFinite() && shift.allFinite(); }
+  /// Whether the map reverses orientation.
   bool mirrors() const { return (linear / largest()).determinant() < 0; }
-  /// A length becomes less than 1e-12 of another one.
+  /// Whether the map is singular: it shortens one length to less than 1e-12 of another.
   bool flattens() const;
 
  private:

@@ -81,7 +81,7 @@ std::optional<Message> HeaderReader::read_element() {
   for (const PlyElement& other : out_.elements)
     if (other.name == element.name)
       return wrong("The element " + quote(element.name) + " is declared twice.");
-  // A header is read in quadratic time in the number of its elements, so their number has a bound.
+  // Limits the number of elements, as reading a header takes quadratic time in it.
   if (out_.elements.size() == 1000)
     return scanner_.error_here(e_limit, "The header declares more than 1000 elements.", remedy_header);
   std::int64_t count = 0;
@@ -146,8 +146,8 @@ std::optional<Message> HeaderReader::read_statement(std::string_view keyword) {
   return {};
 }
 
-/// Passes the line's end of "end_header". Where the whole header ends its lines in CR alone, a following LF
-/// is the first byte of the data.
+/// Skips the line end of "end_header". Where the whole header ends its lines in CR alone, a following LF is
+/// the first byte of the data.
 void HeaderReader::finish_header_line() {
   const std::size_t first_end = bytes_.find_first_of("\r\n");
   const bool only_cr =

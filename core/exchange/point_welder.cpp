@@ -6,14 +6,14 @@
 namespace hariko {
 namespace {
 
-std::uint64_t mix(std::uint64_t x) {  // the finaliser of splitmix64 (Steele, Lea, Flood 2014)
+std::uint64_t mix(std::uint64_t x) {  // finaliser of splitmix64 (Steele, Lea, Flood 2014)
   x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9U;
   x = (x ^ (x >> 27)) * 0x94d049bb133111ebU;
   return x ^ (x >> 31);
 }
 
-/// Numbers that were floats have their 29 lowest bits 0, and so have their products: turned, they stand
-/// beside each other.
+/// Coordinates that were floats have 29 zero low bits, and so have their products with integers: rotation
+/// keeps these of different axes apart.
 std::size_t hash_of(const Vector3& p) {
   const auto bits = [&](int axis) { return std::bit_cast<std::uint64_t>(p[axis]); };
   return mix(bits(0) * 0x9e3779b97f4a7c15U + std::rotl(bits(1) * 0xc2b2ae3d27d4eb4fU, 21) +

@@ -1,6 +1,6 @@
 #pragma once
 
-// PointWelder: one number for each distinct position. Internal to core/exchange.
+// PointWelder: joins equal positions to one index. Internal to core/exchange.
 
 #include <vector>
 
@@ -8,21 +8,24 @@
 
 namespace hariko {
 
-/// An open hash table over a growing list of positions. 0 and -0 are equal. Expected time O(1) a point.
+/// Open-addressing hash table over a growing list of positions. 0 and -0 are equal. Expected time O(1) a
+/// point.
 class PointWelder {
  public:
   explicit PointWelder(std::size_t expected_points);
-  /// Number of the position, which must be finite; a new one is appended.
+  /// Index of the position, which must be finite; a new position is appended.
   Index add(Vector3 position);
-  /// Fetches what `add` will look at: a table of many points is farther away than all else. Any numbers.
+  /// Prefetches the slot that `add` will look at, as a large table is not in the cache. Any numbers are
+  /// allowed.
   void expect(Vector3 position) const;
+  /// Hands out the positions, by index.
   std::vector<Vector3> take_positions() { return std::move(positions_); }
   std::size_t size() const { return positions_.size(); }
 
  private:
   void grow();
   std::vector<Vector3> positions_;
-  std::vector<Index> slots_;  ///< power of two; at most half full; no_index = free
+  std::vector<Index> slots_;  ///< size a power of two; at most half full; no_index = free
 };
 
 }  // namespace hariko

@@ -25,7 +25,7 @@ constexpr std::string_view model_relationship =
     "http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel";
 constexpr std::size_t max_nesting = 64, max_placements = 100'000;
 
-/// Units of documents; other lengths become millimetres.
+/// Unit that a document can have: the file's own, or millimetres in place of other units.
 double metres_of_document(double metres_per_unit) {
   constexpr std::array units{0.001, 0.01, 0.0254, 1.0};
   return std::find(units.begin(), units.end(), metres_per_unit) != units.end() ? metres_per_unit : 0.001;
@@ -36,7 +36,7 @@ std::string without_slash(std::string name) {
   return name;
 }
 
-/// Finds the part with the model (Open Packaging Conventions).
+/// Finds the model part by the relationships (Open Packaging Conventions).
 class RelationshipTarget final : public XmlTarget {
  public:
   void start(std::string_view name, const XmlAttributes& attributes) override {
@@ -47,12 +47,12 @@ class RelationshipTarget final : public XmlTarget {
   std::optional<std::string> part;
 };
 
-/// Gives objects of the parts of a package.
+/// Objects of the parts of a package.
 class Package {
  public:
   Package(std::optional<ZipReader> zip, const ReadLimits& limits) : zip_(std::move(zip)), limits_(limits) {}
 
-  /// Reads a part unless it was read before.
+  /// Model of a part, read on first use.
   Result<const Model3mf*> model(const std::string& part) {
     if (const auto found = models_.find(part); found != models_.end()) return &found->second;
     if (!zip_) return make_error(e_parse, "The part " + quote(part) + " is missing.", remedy_correct);
@@ -73,7 +73,7 @@ class Package {
     return &models_.insert_or_assign(part, std::move(model)).first->second;
   }
 
-  /// Where the model is that says what is built.
+  /// Name of the root model part, which has the build.
   Result<std::string> root() {
     RelationshipTarget target;
     target.part = usual_part;
@@ -121,9 +121,9 @@ class SceneReader {
   }
 
  private:
-  using Key = std::pair<std::string, std::uint64_t>;  // a part and the number of an object there
+  using Key = std::pair<std::string, std::uint64_t>;  // a part, and the number of an object in it
 
-  /// The items of the build, or all objects that are no components.
+  /// Items of the build or, without a build, all objects that are not components.
   static std::vector<Placed3mf> placed_by(const Model3mf& model) {
     if (!model.build.empty()) return model.build;
     std::set<std::uint64_t> components;
@@ -141,7 +141,8 @@ class SceneReader {
                       remedy_correct, {Element::Kind::line, placed.line});
   }
 
-  /// `above` is the placement of what it is in, `name` that of the nearest object round it that has one.
+  /// Places an object with its components. `above`: placement of the enclosing object; `name`: name of the
+  /// nearest enclosing object that has one.
   std::optional<Message> place(const Placed3mf& placed, const std::string& from, const Placement& above,
                                const std::string& name, std::size_t depth) {
     const std::string part = placed.part.empty() ? from : without_slash(placed.part);

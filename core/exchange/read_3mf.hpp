@@ -1,6 +1,6 @@
 #pragma once
 
-// 3MF files (core specification 1.3, and the production extension's references to other parts).
+// Reader of 3MF files (core specification 1.3, and references to other parts of the production extension).
 
 #include <string_view>
 
@@ -8,20 +8,20 @@
 
 namespace hariko {
 
-/// True for zip archives.
+/// Whether the bytes begin as a zip archive.
 bool looks_like_zip(std::string_view bytes);
 
-/// Every mesh that an item of the build places, itself or by components, becomes a part, in its place; where
-/// nothing is built, every object that is no component of another. In the file's unit where a document can
-/// have it, otherwise in millimetres. Mirrored meshes keep their outside.
+/// Reads a 3MF archive. Every mesh that an item of the build places, directly or through components, becomes
+/// a part, in its place; without a build, every object that is not a component of another. Lengths are in the
+/// file's unit where a document can have it, otherwise in millimetres. Mirrored meshes keep their outside.
 ///
-/// Errors: E_PARSE (lines counted in the part that is named), E_INDEX_RANGE, E_EMPTY, E_TRUNCATED where the
-/// archive is not whole, E_LIMIT also where it unpacks to more than 100 times its size; E_FORMAT_UNKNOWN
-/// where it has no model, or needs an extension that shapes depend on. Objects that are components of
-/// themselves are E_PARSE. O(size).
+/// Errors: E_PARSE (with the line in the named part; also for objects that are components of themselves),
+/// E_INDEX_RANGE, E_EMPTY, E_TRUNCATED where the archive is incomplete, E_LIMIT, also where it unpacks to
+/// more than 100 times its size, E_FORMAT_UNKNOWN where it has no model or requires an extension that affects
+/// shapes. O(size).
 Result<ImportedScene> read_3mf(std::string_view bytes, const ReadLimits& limits = {});
 
-/// The same for the text of a model alone, without an archive round it.
+/// Reads the text of a single model part, without an archive.
 Result<ImportedScene> read_3mf_model(std::string_view text, const ReadLimits& limits = {});
 
 }  // namespace hariko

@@ -26,18 +26,18 @@ using Json = nlohmann::json;
 constexpr double millimetres_per_metre = 1000;
 constexpr const char* instancing = "EXT_mesh_gpu_instancing";
 
-// A value takes at least two characters and about fifty times its text in memory.
+// Limit of JSON values: a value takes at least two characters, and in memory about fifty times its text.
 constexpr std::size_t max_values = 5'000'000;
 constexpr int max_depth = 64;
 
-/// Extensions that a file may require, by how their names begin: no shape depends on them, or they are read.
-/// Quantized positions are read like others.
+/// Prefixes of extensions that a file may require: they are read, or do not affect shapes. Quantised
+/// positions are read like others.
 constexpr std::array harmless_extensions{
     "KHR_materials_", "KHR_texture_",          "EXT_texture_",      "MSFT_texture_",
     "KHR_lights_",    "EXT_lights_",           "KHR_xmp",           "KHR_animation_",
     "KHR_audio",      "KHR_mesh_quantization", "KHR_node_hover",    "KHR_node_select",
     "EXT_mesh_feat",  "EXT_structural_",       "EXT_instance_feat", instancing};
-/// Extensions beside which a file that does not require them has plain triangles, too.
+/// Compressions that have an uncompressed fallback in files that do not require them.
 constexpr std::array compressions{"KHR_draco_mesh_compression", "EXT_meshopt_compression",
                                   "KHR_meshopt_compression"};
 
@@ -47,7 +47,7 @@ bool is_among(const Names& names, const std::string& extension) {
                      [&](const char* start) { return extension.starts_with(start); });
 }
 
-/// The document's z is the file's y, and the file is in metres.
+/// Map from the file's space (y up, metres) to the document's (z up, millimetres).
 Placement from_file_space() {
   Placement out;
   out.linear << 1, 0, 0, 0, 0, -1, 0, 1, 0;
@@ -55,7 +55,7 @@ Placement from_file_space() {
   return out;
 }
 
-/// Triangles over the corners of a primitive; `mode` is one of the three that have any (section 3.7.2.1).
+/// Triangles over the corners of a primitive; `mode` is one of the three triangle modes (section 3.7.2.1).
 std::vector<std::array<Index, 3>> triangles_of(const std::vector<Index>& corners, std::uint64_t mode) {
   std::vector<std::array<Index, 3>> out;
   if (mode == 4) {
@@ -100,7 +100,7 @@ class GltfReader {
     Placement above;
   };
 
-  // All give false, or a value that does not count, after noting why.
+  // All return false, or a value that does not count, after noting an error.
   bool parse();
   bool check_header();
   std::vector<std::uint64_t> roots();
@@ -127,11 +127,11 @@ class GltfReader {
   SceneCollector collector_;
   GltfFields fields_;
   Json root_;
-  std::optional<GltfBuffers> buffers_;         ///< once the description is there
-  std::map<std::uint64_t, std::size_t> uses_;  ///< of meshes, where no skin bends them
-  std::map<std::uint64_t, PolygonMesh> kept_;  ///< meshes that are used again
-  std::map<std::uint64_t, Placement> places_;  ///< of the nodes that were reached
-  std::vector<std::uint64_t> with_mesh_;       ///< of them, in their order
+  std::optional<GltfBuffers> buffers_;         ///< set once the description is parsed
+  std::map<std::uint64_t, std::size_t> uses_;  ///< uses of each mesh without a skin
+  std::map<std::uint64_t, PolygonMesh> kept_;  ///< meshes that will be used again
+  std::map<std::uint64_t, Placement> places_;  ///< placements of the nodes that were reached
+  std::vector<std::uint64_t> with_mesh_;       ///< reached nodes with a mesh, in order
   std::size_t left_out_ = 0;
   bool shape_keys_ = false;
 };
@@ -139,7 +139,7 @@ class GltfReader {
 bool GltfReader::parse() {
   const auto chunks = gltf_chunks(bytes_);
   if (!chunks) return fields_.fail(chunks.error());
-  // What is too deep or too much is not kept while the text is read.
+  // Discards values beyond the limits of depth and number while the text is parsed.
   std::size_t values = 0;
   bool too_large = false;
   const auto keep = [&](int depth, Json::parse_event_t, Json&) {
@@ -188,7 +188,7 @@ bool GltfReader::check_header() {
   return true;
 }
 
-/// Nodes of the default scene; where there are no scenes, those that are nobody's children.
+/// Nodes of the default scene; without scenes, nodes that are not a child of another.
 std::vector<std::uint64_t> GltfReader::roots() {
   if (size_of(root_, "scenes") > 0) {
     const std::uint64_t number = fields_.whole(root_, "scene", "The description").value_or(0);
@@ -220,7 +220,7 @@ bool GltfReader::visit(std::uint64_t root) {
     places_.emplace(at.number, placement);
     if (const auto mesh = fields_.whole(*node, "mesh", place)) {
       with_mesh_.push_back(at.number);
-      if (!find(*node, "skin")) uses_[*mesh] += find(*node, "extensions") ? 2 : 1;  // instances
+      if (!find(*node, "skin")) uses_[*mesh] += find(*node, "extensions") ? 2 : 1;  // instances use it again
     }
     std::vector<std::uint64_t> children = fields_.wholes(*node, "children", place);
     for (auto child = children.rbegin(); child != children.rend(); ++child)
@@ -233,7 +233,7 @@ bool GltfReader::visit(std::uint64_t root) {
 Placement GltfReader::placement_of(const Json& node, const std::string& place) {
   Placement out;
   const std::vector<double> matrix = fields_.reals(node, "matrix", 16, place);
-  if (!matrix.empty()) {  // columns one after the other
+  if (!matrix.empty()) {  // stored by columns
     for (int column = 0; column < 3; ++column)
       for (int row = 0; row < 3; ++row)
         out.linear(row, column) = matrix[static_cast<std::size_t>(4 * column + row)];
@@ -252,7 +252,7 @@ Placement GltfReader::placement_of(const Json& node, const std::string& place) {
   return out;
 }
 
-/// The mesh of a node that was reached: once, as a skin bends it, or at all its instances.
+/// Adds the mesh of a reached node: once, deformed by a skin, or at all its instances.
 bool GltfReader::add_node(std::uint64_t number) {
   const Json& node = root_["nodes"][number];
   const std::string place = numbered("nodes", number), name = text_of(node, "name");
@@ -279,7 +279,7 @@ bool GltfReader::add_mesh(std::uint64_t number, const Json& node, const Placemen
   if (!mesh) return false;
   const std::string own = text_of(*mesh, "name");
   PolygonMesh polygons;
-  const bool own_shape = find(node, "weights");  // of its shape keys
+  const bool own_shape = find(node, "weights");  // weights of shape keys differ by node
   if (const auto kept = kept_.find(number); kept != kept_.end() && !own_shape) {
     polygons = kept->second;
     if (const auto error = collector_.reserve(polygons.positions.size(), polygons.face_vertices.size()))
@@ -295,7 +295,7 @@ bool GltfReader::add_mesh(std::uint64_t number, const Json& node, const Placemen
   return true;
 }
 
-/// The joints place a mesh with a skin; the place of its node does not count (section 3.7.3.3).
+/// Adds a skinned mesh. Its joints place it; the placement of its node is ignored (section 3.7.3.3).
 bool GltfReader::add_skinned(std::uint64_t number, const Json& node, std::uint64_t skin_number,
                              const std::string& name) {
   const Json* mesh = fields_.entry(root_, "meshes", number);
@@ -314,7 +314,7 @@ bool GltfReader::add_skinned(std::uint64_t number, const Json& node, std::uint64
   return true;
 }
 
-/// Shares of the shape keys at rest: the node's, else the mesh's.
+/// Weights of the shape keys at rest: the node's, else the mesh's.
 std::vector<double> GltfReader::weights_of(const Json& node, const Json& mesh, const std::string& place) {
   const Json& owner = find(node, "weights") ? node : mesh;
   return fields_.reals(owner, "weights", size_of(owner, "weights"), place);
@@ -340,7 +340,7 @@ bool GltfReader::add_primitive(const Json& primitive, const std::string& place,
   const Json* attributes = find(primitive, "attributes");
   const auto position = attributes ? fields_.whole(*attributes, "POSITION", place) : std::nullopt;
   if (fields_.error()) return false;
-  if (mode < 4 || !position) {  // the format lets extensions bring positions
+  if (mode < 4 || !position) {  // extensions may supply positions instead
     ++left_out_;
     return true;
   }
@@ -372,7 +372,7 @@ bool GltfReader::add_primitive(const Json& primitive, const std::string& place,
     order.resize(points.count);
     for (std::size_t v = 0; v < order.size(); ++v) order[v] = static_cast<Index>(v);
   }
-  // Strips turn corners by triangles without area.
+  // Degenerate triangles of strips are deliberate and not counted.
   return add_triangles(triangles_of(order, mode), placed, mode == 4, welder, mesh);
 }
 
@@ -385,7 +385,7 @@ bool GltfReader::add_shape_keys(const Json& primitive, const std::string& place,
     const std::string here = place + "." + numbered("targets", k);
     const auto moves = fields_.whole(primitive["targets"][k], "POSITION", here);
     if (fields_.error()) return false;
-    if (!moves) continue;  // it may change normals only
+    if (!moves) continue;  // the shape key changes normals only
     const GltfAccessor target = buffers_->accessor(*moves, "VEC3");
     if (!fields_.error() && target.count != points.size())
       fields_.fail(here, "It has another number of positions than the mesh.");

@@ -16,7 +16,7 @@
 namespace hariko {
 namespace {
 
-/// Statements of the OBJ specification that say nothing about polygons and patches.
+/// Statements of the OBJ specification that do not affect polygons or patches.
 constexpr std::array<std::string_view, 33> ignored_statements{
     "bevel",      "bmat",   "bsp",       "bzp",   "c_interp", "call",  "cdc",  "cdp",    "con",
     "csh",        "ctech",  "curv",      "curv2", "d_interp", "hole",  "lod",  "maplib", "mg",
@@ -28,7 +28,7 @@ class ObjReader {
   ObjReader(std::string_view bytes, const ReadLimits& limits)
       : scanner_(bytes, {.comments = true, .continuation = true}), limits_(limits) {}
 
-  /// Reads all statements. An error, or nothing.
+  /// Reads all statements; returns the first error, or nothing.
   std::optional<Message> read() {
     const std::size_t size = scanner_.remaining();
     while (scanner_.find_content()) {
@@ -54,11 +54,11 @@ class ObjReader {
   TextScanner scanner_;
   const ReadLimits& limits_;
   ImportedMesh out_;
-  std::vector<double> weights_;  ///< of the vertices, once one has another than 1
+  std::vector<double> weights_;  ///< weights of the vertices, from the first one other than 1 on
   ObjParts parts_;
   ObjTags tags_;
   ObjSurfaces surfaces_;
-  // A face may name a vertex that comes later. The largest such index stands for all of them.
+  // Largest index of a vertex that a face refers to before it is read: if that one exists in the end, all do.
   std::uint64_t largest_forward_ = 0;
   std::size_t largest_forward_line_ = 0;
   std::size_t unknown_count_ = 0, unknown_line_ = 0, points_and_lines_ = 0;
@@ -99,7 +99,7 @@ std::optional<Message> ObjReader::read_statement() {
 std::optional<Message> ObjReader::read_vertex() {
   Vector3 point;
   if (auto error = scanner_.read_point("coordinate", point)) return error;
-  // A weight or a colour may follow.
+  // Optional weight or colour.
   std::size_t extras = 0;
   double weight = 1;
   for (std::string_view extra = scanner_.token(); !extra.empty(); extra = scanner_.token()) {
@@ -132,7 +132,7 @@ std::optional<Message> ObjReader::read_face() {
   return {};
 }
 
-/// "v", "v/vt", "v//vn" or "v/vt/vn"; only v counts, but the rest must be integers.
+/// Adds a corner: "v", "v/vt", "v//vn" or "v/vt/vn". Only v is used, but the others must be integers.
 std::optional<Message> ObjReader::add_corner(std::string_view token) {
   const std::size_t slash = token.find('/');
   const std::string_view vertex = token.substr(0, slash);

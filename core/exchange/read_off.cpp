@@ -18,7 +18,8 @@ bool is_keyword(std::string_view word) {
   return word.find_first_not_of("STCNn4") == std::string_view::npos && word.size() <= 6;
 }
 
-/// The keyword at the start of a word; numbers may be glued to it, as in "OFF8 6 12". Empty where it is none.
+/// Keyword at the start of a word, empty where there is none; numbers may follow without a blank, as in "OFF8
+/// 6 12".
 std::string_view keyword_of(std::string_view word) {
   const std::size_t end = word.find("OFF");
   if (end == std::string_view::npos) return {};
@@ -71,7 +72,7 @@ std::optional<Message> OffReader::read_header() {
   std::string_view first = scanner_.token();
   std::int64_t ignored = 0;
   if (parse_integer(first, ignored) != NumberStatus::malformed)
-    return read_counts(first);  // keyword left out
+    return read_counts(first);  // the keyword is optional
   const std::string_view keyword = keyword_of(first), glued = first.substr(keyword.size());
   if (keyword.empty())
     return scanner_.error_here(e_format_unknown,
@@ -105,7 +106,7 @@ std::optional<Message> OffReader::read_counts(std::string_view first) {
   if (face_count_ < 0) return scanner_.error_here(e_parse, "The number of faces is negative.", remedy_line);
   if (face_count_ > static_cast<std::int64_t>(limits_.corners))
     return promises_too_much("faces", face_count_);
-  // The number of edges may follow; nobody needs it and many writers put 0.
+  // Optional number of edges, ignored: many writers put 0.
   const std::string_view edges = scanner_.token();
   std::int64_t ignored = 0;
   if (!edges.empty() && parse_integer(edges, ignored) != NumberStatus::ok)
@@ -118,7 +119,7 @@ std::optional<Message> OffReader::read_counts(std::string_view first) {
 }
 
 std::optional<Message> OffReader::read_vertices() {
-  // The header may lie: a vertex takes at least 6 bytes ("0 0 0" and the line's end).
+  // The header may claim too much: a vertex takes at least 6 bytes ("0 0 0" and the line end).
   const std::size_t possible = scanner_.remaining() / 6 + 1;
   out_.mesh.positions.reserve(std::min(static_cast<std::size_t>(vertex_count_), possible));
   for (std::int64_t i = 0; i < vertex_count_; ++i) {
@@ -161,7 +162,7 @@ std::optional<Message> OffReader::read_face() {
 }
 
 std::optional<Message> OffReader::read_faces() {
-  const std::size_t possible = scanner_.remaining() / 2 + 1;  // "0" and the line's end
+  const std::size_t possible = scanner_.remaining() / 2 + 1;  // "0" and the line end
   out_.mesh.face_offsets.reserve(std::min(static_cast<std::size_t>(face_count_), possible) + 1);
   for (std::int64_t f = 0; f < face_count_; ++f) {
     if (auto error = limits_.row(scanner_.remaining(), size_)) return error;

@@ -1,6 +1,6 @@
 #pragma once
 
-// Object File Format (Geomview OFF).
+// Reader of Object File Format (Geomview OFF) files.
 
 #include <string_view>
 
@@ -8,13 +8,13 @@
 
 namespace hariko {
 
-/// Polygons of an OFF file. Each vertex and each face stands on one line; colours, normals and texture
-/// coordinates (COFF, NOFF, STOFF ...) are ignored. The counts may be glued to the keyword. Homogeneous,
-/// n-dimensional and binary OFF give E_FORMAT_UNKNOWN. Other errors, each with its line: E_PARSE,
-/// E_INDEX_RANGE, E_TRUNCATED, E_LIMIT, E_EMPTY. O(bytes), whatever the header promises.
+/// Reads the polygons of an OFF file. Each vertex and each face is on one line; colours, normals and texture
+/// coordinates (COFF, NOFF, STOFF ...) are ignored. The counts may follow the keyword without a blank.
+/// Homogeneous, n-dimensional and binary OFF give E_FORMAT_UNKNOWN. Other errors, each with its line:
+/// E_PARSE, E_INDEX_RANGE, E_TRUNCATED, E_LIMIT, E_EMPTY. O(bytes), whatever the header claims.
 Result<ImportedMesh> read_off(std::string_view bytes, const ReadLimits& limits = {});
 
-/// True when the first word of the file is a keyword of the OFF family.
+/// Whether the first word of the file is a keyword of the OFF family.
 bool looks_like_off(std::string_view bytes);
 
 }  // namespace hariko

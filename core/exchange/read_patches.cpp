@@ -113,7 +113,7 @@ bool read_row(const Json& row, std::vector<Vector3>& out) {
   return true;
 }
 
-/// Rows run along s in the file, along t in a patch.
+/// Transposed rows: they run along s in the file, along t in a patch.
 template <class Value>
 std::vector<Value> transposed(const std::vector<std::vector<Value>>& rows) {
   std::vector<Value> out;
@@ -155,7 +155,7 @@ std::optional<Message> read_json_patch(const Json& json, const std::string& name
 
 Result<std::vector<BezierPatch>> read_bezier_text(std::string_view text) {
   if (text.find(',') == std::string_view::npos) return BezierTextReader(text).read(false);
-  // Commas only separate: as blanks they leave lines and columns where they are.
+  // Commas become blanks, which keeps the columns of messages.
   std::string blank(text);
   std::replace(blank.begin(), blank.end(), ',', ' ');
   return BezierTextReader(blank).read(true);

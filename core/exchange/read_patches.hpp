@@ -1,6 +1,6 @@
 #pragma once
 
-// Readers of files with tensor Bezier patches of any degree.
+// Readers of files with tensor-product Bezier patches of any degree.
 
 #include <filesystem>
 #include <string>
@@ -13,17 +13,19 @@
 
 namespace hariko {
 
-/// Text of either kind. The plain one: the number of patches; for each its degrees m n, then (m + 1)(n + 1)
-/// points, row by row. The indexed one: the number of bicubic patches; for each 16 numbers of points, from 1,
-/// with commas between; the number of points; each as x,y,z. Errors: E_EMPTY, E_PARSE, E_TRUNCATED, E_LIMIT,
-/// E_INDEX_RANGE, all with the line, and those of `check_patch`.
+/// Reads Bezier patches from text in one of two forms. Plain: the number of patches; for each its degrees m
+/// n, then (m + 1)(n + 1) points, row by row. Indexed: the number of bicubic patches; for each 16 point
+/// numbers, from 1, separated by commas; the number of points; each point as x,y,z. Errors, with the line:
+/// E_EMPTY, E_PARSE, E_TRUNCATED, E_LIMIT, E_INDEX_RANGE, and those of `check_patch`. O(size).
 Result<std::vector<BezierPatch>> read_bezier_text(std::string_view text);
 
-/// {"name": [{"ctrl": [[[x, y, z], ..], ..], "weights": [[..], ..]}, ..], ..}; ctrl[i][j] with i along s.
-/// Weights and further members may be missing. Errors: E_EMPTY, E_PARSE, E_LIMIT, those of `check_patch`.
+/// Reads Bezier patches from JSON: {"name": [{"ctrl": [[[x, y, z], ..], ..], "weights": [[..], ..]}, ..],
+/// ..}; ctrl[i][j] with i along s. Weights may be missing; further members are ignored. Errors: E_EMPTY,
+/// E_PARSE, E_LIMIT, those of `check_patch`. O(size).
 Result<std::vector<NamedPatches>> read_bezier_json(std::string_view text);
 
-/// JSON by the ending .json, else text. Errors: those of `read_file` and of the readers above.
+/// Reads a patch file: JSON where its ending is .json, else text. Errors: those of `read_file` and of the
+/// readers above.
 Result<std::vector<NamedPatches>> read_patch_file(const std::filesystem::path& path);
 
 }  // namespace hariko

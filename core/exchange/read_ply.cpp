@@ -15,7 +15,7 @@
 namespace hariko {
 namespace {
 
-/// Numbers of a binary file, one after the other.
+/// Sequential reader of a binary file's numbers.
 class BinarySource {
  public:
   BinarySource(std::string_view bytes, std::size_t begin, bool big_endian)
@@ -25,7 +25,7 @@ class BinarySource {
   std::size_t remaining() const { return bytes_.size() - position_; }
   void skip(std::size_t count) { position_ += count; }
 
-  /// The next number; the caller has made sure that it is there.
+  /// Next number; the caller has checked that it is there.
   double real(PlyType type) {
     if (type == PlyType::float32) return std::bit_cast<float>(take<std::uint32_t>());
     if (type == PlyType::float64) return std::bit_cast<double>(take<std::uint64_t>());
@@ -66,7 +66,7 @@ class BinarySource {
   bool swap_;
 };
 
-/// Common to text and binary: where numbers go, and the checks on them.
+/// Assigns numbers to the mesh and checks them, for text and binary alike.
 class PlyReader {
  public:
   PlyReader(std::string_view bytes, PlyHeader header, const ReadLimits& limits)
@@ -76,7 +76,7 @@ class PlyReader {
 
  private:
   enum class Role { skipped, x, y, z, index_list, strip_list };
-  /// What becomes of each property of an element.
+  /// Role of each property of an element.
   std::vector<Role> roles_of(const PlyElement& element) const;
   std::optional<Message> check_counts() const;
 
@@ -108,12 +108,12 @@ class PlyReader {
   std::string corner_sentence() const {
     return "The faces have more than " + std::to_string(limits_.corners) + " corners together.";
   }
-  /// Strips begin again after -1.
+  /// Whether an index is valid; in strips also -1, which begins a new strip.
   bool in_range(Role role, std::int64_t index) const {
     if (role == Role::strip_list && index == -1) return true;
     return index >= 0 && static_cast<std::uint64_t>(index) < vertex_count_;
   }
-  /// A corner that is read. False above the limit.
+  /// Adds a corner; false above the limit.
   bool add_corner(Role role, std::int64_t index) {
     if (role == Role::strip_list) return add_to_strip(index);
     if (out_.mesh.face_vertices.size() == limits_.corners) return false;
@@ -133,10 +133,11 @@ class PlyReader {
   ImportedMesh out_;
   std::uint64_t vertex_count_ = 0;
   Vector3 point_ = Vector3::Zero();
-  std::vector<Index> strip_;  ///< of the strip that is read, since its beginning or the last -1
+  std::vector<Index> strip_;  ///< corners of the present strip since its beginning or the last -1
 };
 
-/// Every second triangle of a strip runs the other way; those without area only turn it.
+/// Adds a corner of a strip. Every second triangle of a strip has the opposite orientation; degenerate
+/// triangles only alternate it.
 bool PlyReader::add_to_strip(std::int64_t index) {
   if (index == -1) {
     strip_.clear();
@@ -230,7 +231,7 @@ std::optional<Message> PlyReader::read_text() {
   scanner.next_line();
   for (const PlyElement& element : header_.elements) {
     const std::vector<Role> roles = roles_of(element);
-    // The header may lie: every row takes at least a digit and a separator for each property.
+    // The header may claim too much: every row takes at least a digit and a separator for each property.
     const auto possible = std::min<std::uint64_t>(
         element.count, scanner.remaining() / (2 * std::max<std::size_t>(roles.size(), 1)) + 1);
     if (element.name == "vertex") out_.mesh.positions.reserve(possible);
@@ -312,7 +313,7 @@ std::optional<Message> PlyReader::read_binary_element(BinarySource& source, cons
     smallest_row += ply_size(property.is_list ? property.count_type : property.type);
     has_list = has_list || property.is_list;
   }
-  // The header may lie: a row has at least one byte, so no more rows fit than bytes are left.
+  // The header may claim too much: a row has at least one byte, so no more rows fit than bytes are left.
   if (element.count > 0 && element.count > source.remaining() / smallest_row)
     return binary_error(e_truncated, bytes_.size(),
                         "The header promises " + std::to_string(element.count) + " of element " +

@@ -36,7 +36,7 @@ Vector3 point_at(const char* bytes) {
   return {coordinate(0), coordinate(1), coordinate(2)};
 }
 
-/// Size of the binary file whose header this is; 0 when there is no whole header.
+/// Size of the binary file with this header; 0 where the header is incomplete.
 std::uint64_t promised_size(std::string_view bytes) {
   if (bytes.size() < header_size + 4) return 0;
   return header_size + 4 + facet_size * std::uint64_t{little_endian_32(bytes.data() + header_size)};
@@ -54,11 +54,11 @@ bool starts_with_solid(std::string_view bytes) {
 
 bool is_text(std::string_view bytes) {
   if (promised_size(bytes) == bytes.size() || !starts_with_solid(bytes)) return false;
-  // A binary file that was cut off may start with "solid" as well, but text has no zero bytes.
+  // A truncated binary file may start with "solid" as well, but text has no zero bytes.
   return bytes.substr(0, 4096).find('\0') == std::string_view::npos;
 }
 
-/// Collects triangles; shared by both forms.
+/// Collects triangles, for both forms.
 class TriangleCollector {
  public:
   TriangleCollector(std::size_t expected_triangles, const ReadLimits& limits)
@@ -68,7 +68,7 @@ class TriangleCollector {
   }
   Index vertex(const Vector3& position) { return welder_.add(position); }
   void expect(const Vector3& position) const { welder_.expect(position); }
-  /// False when the limits are reached.
+  /// Adds a triangle; false where a limit is reached.
   bool add(Index a, Index b, Index c) {
     if (welder_.size() > limits_.vertices || out_.mesh.face_vertices.size() + 3 > limits_.corners)
       return false;
@@ -126,7 +126,7 @@ Result<ImportedMesh> read_binary(std::string_view bytes, const ReadLimits& limit
         e_truncated,
         "Byte " + std::to_string(bytes.size()) + ": The file ends inside the header of a binary STL file.",
         remedy_cut);
-  // Programs that write while they compute leave the count out, as 0 or as all bits.
+  // Programs that write while they compute leave the count out, as 0 or with all bits set.
   const std::uint64_t promised = little_endian_32(bytes.data() + header_size),
                       there = (bytes.size() - header_size - 4) / facet_size;
   const bool unknown = (promised == 0 || promised == 0xffffffffU) && there > 0;
@@ -139,13 +139,13 @@ Result<ImportedMesh> read_binary(std::string_view bytes, const ReadLimits& limit
                       remedy_cut);
   TriangleCollector collector(std::min<std::size_t>(count, limits.corners / 3), limits);
   constexpr std::uint64_t row = 256, ahead = 8;  // triangles
-  // Most triangles have two corners of the one before: these need not be looked up.
+  // Reuses the corners that a triangle shares with the one before, as most share two: saves look-ups.
   const char* before = nullptr;
   Index known[3] = {no_index, no_index, no_index};
   for (std::uint64_t facet = 0; facet < count; ++facet) {
     if (facet % row == 0)
       if (auto error = limits.row((count - facet) * facet_size, bytes.size())) return *error;
-    const char* corners = bytes.data() + header_size + 4 + facet * facet_size + 12;  // behind the normal
+    const char* corners = bytes.data() + header_size + 4 + facet * facet_size + 12;  // after the normal
     if (count - facet > ahead)
       for (int k = 0; k < 3; ++k) collector.expect(point_at(corners + ahead * facet_size + corner_size * k));
     Index vertices[3];
@@ -187,7 +187,7 @@ class StlTextReader {
   Result<ImportedMesh> read();
 
  private:
-  /// Words may stand on any lines.
+  /// Next word, on this line or a later one.
   std::string_view next_word() { return scanner_.find_content() ? scanner_.token() : std::string_view{}; }
   std::optional<Message> expect(const char* word);
   std::optional<Message> wrong_word(std::string_view word, const char* expected) const;
@@ -216,9 +216,9 @@ std::optional<Message> StlTextReader::expect(const char* word) {
   return wrong_word(found, word);
 }
 
-/// After the word "facet".
+/// Reads a facet after the word "facet".
 std::optional<Message> StlTextReader::read_facet() {
-  // The normal follows from the corners; degenerate triangles are often written with one that is not a
+  // The normal is ignored, as the corners determine it; degenerate triangles often have one that is not a
   // number.
   if (auto error = expect("normal")) return error;
   scanner_.next_line();
@@ -236,7 +236,7 @@ std::optional<Message> StlTextReader::read_facet() {
   return {};
 }
 
-/// After the word "solid".
+/// Reads a solid after the word "solid".
 std::optional<Message> StlTextReader::read_solid() {
   const std::string_view name = scanner_.rest_of_line();
   if (name_.empty()) name_ = printable(name, 200);
@@ -249,7 +249,7 @@ std::optional<Message> StlTextReader::read_solid() {
                        "Compare the object with that in the program that wrote the file."));
       return {};
     }
-    if (equals_lower(word, "solid")) {  // the one before has no end
+    if (equals_lower(word, "solid")) {  // the solid before has no end
       scanner_.next_line();
       continue;
     }
@@ -258,7 +258,7 @@ std::optional<Message> StlTextReader::read_solid() {
     if (auto error = read_facet()) return error;
     ++facets_;
   }
-  scanner_.next_line();  // the name may stand here again
+  scanner_.next_line();  // the name may be repeated here
   return {};
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// SceneCollector: the meshes of a file that places them, within limits. Internal to core/exchange.
+// SceneCollector: placed meshes of a file, within limits. Internal to core/exchange.
 
 #include <cstdint>
 #include <optional>
@@ -11,27 +11,28 @@
 
 namespace hariko {
 
-/// Makes the inside of the faces their outside.
+/// Reverses the orientation of all faces.
 void turn_over(PolygonMesh& mesh);
 
-/// A file may place one mesh many times, so what it describes can be much larger than the file. Beside the
-/// limits of all readers, vertices and corners together are at most 4 for each byte read and 20 million: a
-/// file without copies is always below that.
+/// Collects placed meshes. A file may place one mesh many times, so its content can be much larger than the
+/// file. Besides the limits of all readers, vertices and corners together are at most 4 for each byte read
+/// plus 20 million; a file without copies always stays below that.
 class SceneCollector {
  public:
   explicit SceneCollector(const ReadLimits& limits) : limits_(limits) {}
 
-  /// Counts bytes that were read, unpacked.
+  /// Counts bytes that were read, after unpacking.
   void add_bytes(std::uint64_t bytes) { bytes_ += bytes; }
-  /// Counts what is about to be made; E_LIMIT where that is too much, E_CANCELLED.
+  /// Counts vertices and corners before they are made. Errors: E_LIMIT, E_CANCELLED.
   std::optional<Message> reserve(std::uint64_t vertices, std::uint64_t corners);
-  /// Adds a mesh that was counted; one without faces is forgotten. Mirrored meshes are turned, so that their
-  /// outside stays outside. Errors: E_PARSE where a position leaves the range of numbers.
+  /// Adds a mesh that was counted; ignores one without faces. Mirrored meshes are turned over, so that their
+  /// outside stays outside. Errors: E_PARSE where a position overflows.
   std::optional<Message> add(PolygonMesh mesh, const Placement& placement, std::string_view name);
 
+  /// Counts degenerate triangles that were left out, for one warning.
   void note_degenerate(std::size_t count) { degenerate_ += count; }
   void warn(Message warning) { scene_.warnings.push_back(std::move(warning)); }
-  /// E_EMPTY where no triangle was added.
+  /// Collected scene; E_EMPTY where no triangle was added.
   Result<ImportedScene> finish();
 
  private:

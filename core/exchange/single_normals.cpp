@@ -12,8 +12,8 @@ VertexTriangles with_single_normals(const TriangleMesh& mesh) {
   out.positions.reserve(mesh.positions.size());
   out.normals.reserve(mesh.positions.size());
   out.triangles.reserve(mesh.triangles.size());
-  std::vector<Index> first(mesh.positions.size(), no_index);  // of the vertices made from a position
-  std::vector<Index> next, normal_of;                         // for each vertex made
+  std::vector<Index> first(mesh.positions.size(), no_index);  // first vertex made from each position
+  std::vector<Index> next, normal_of;                         // by vertex made
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     std::array<Index, 3>& triangle = out.triangles.emplace_back();
     for (std::size_t corner = 0; corner < 3; ++corner) {

@@ -1,6 +1,6 @@
 #pragma once
 
-// Triangles whose vertices have one normal each, as most formats and graphics cards want them.
+// Triangles with one normal for each vertex, as most formats and graphics cards need them.
 
 #include <array>
 #include <vector>
@@ -9,15 +9,15 @@
 
 namespace hariko {
 
-/// Positions are relative to the origin of the mesh that it was made from.
+/// Triangles with vertex normals. Positions are relative to the origin of the source mesh.
 struct VertexTriangles {
   std::vector<Vector3> positions;
-  std::vector<Vector3> normals;  ///< one for each position, or none
+  std::vector<Vector3> normals;  ///< one for each position, or none at all
   std::vector<std::array<Index, 3>> triangles;
 };
 
-/// A position with several normals becomes several vertices, each pair in use one; in the order of first use.
-/// Meshes without normals keep their positions as they are. O(size).
+/// Splits positions with several normals: each pair of position and normal in use becomes a vertex, in the
+/// order of first use. Meshes without normals keep their positions. O(size).
 VertexTriangles with_single_normals(const TriangleMesh& mesh);
 
 }  // namespace hariko

@@ -12,7 +12,7 @@ ByteOrder order_of(std::string_view bytes) {
   if (bytes.starts_with("\xff\xfe")) return ByteOrder::little;
   if (bytes.starts_with("\xfe\xff")) return ByteOrder::big;
   if (bytes.size() < 8) return ByteOrder::none;
-  // Statements and numbers are ASCII.
+  // The first statements and numbers are ASCII.
   bool little = true, big = true;
   for (std::size_t i = 0; i + 1 < 8; i += 2) {
     little = little && bytes[i] != 0 && bytes[i + 1] == 0;

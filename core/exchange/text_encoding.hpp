@@ -1,6 +1,6 @@
 #pragma once
 
-// Text files that are no UTF-8. Internal to core/exchange.
+// Text files in encodings other than UTF-8. Internal to core/exchange.
 
 #include <optional>
 #include <string>
@@ -8,8 +8,8 @@
 
 namespace hariko {
 
-/// UTF-16 text, told by its byte order mark, or by every other one of its first bytes being 0, as UTF-8; half
-/// characters become U+FFFD. Nothing for other bytes. O(size).
+/// Converts UTF-16 text to UTF-8. It is recognised by its byte order mark, or by alternating zero bytes at
+/// its beginning; unpaired surrogates become U+FFFD. Nothing for other bytes. O(size).
 std::optional<std::string> from_utf16(std::string_view bytes);
 
 }  // namespace hariko

@@ -60,7 +60,7 @@ bool TextScanner::next_line() {
       skip_line_break();
       return true;
     }
-    if (*cursor_ == '#' && options_.comments) comment = true;  // comments are never continued
+    if (*cursor_ == '#' && options_.comments) comment = true;  // a comment cannot be continued
     if (comment || !options_.continuation || !joins_lines()) ++cursor_;
   }
   return false;

@@ -1,7 +1,6 @@
 #pragma once
 
-// TextScanner: tokens and lines of a text file, with the place of each for messages. Internal to
-// core/exchange.
+// TextScanner: tokens and lines of a text file, with their positions for messages. Internal to core/exchange.
 
 #include <cstddef>
 #include <cstdint>
@@ -15,10 +14,10 @@
 
 namespace hariko {
 
-/// Lines end in LF, CRLF or CR. Tokens are separated by spaces and tabs. A `#` starts a comment up to the
-/// line's end when `comments` is set; a backslash before a line's end joins the lines when `continuation` is
-/// set. A byte order mark at the start is skipped. O(1) memory; every call that reads moves forward or
-/// returns "nothing".
+/// Scanner of lines that end in LF, CRLF or CR and tokens separated by spaces and tabs. With `comments` a `#`
+/// starts a comment up to the line end; with `continuation` a backslash before a line end joins the lines. A
+/// byte order mark at the start is skipped. O(1) memory; every call that reads moves forward or returns
+/// "nothing".
 class TextScanner {
  public:
   struct Options {
@@ -27,7 +26,7 @@ class TextScanner {
   };
   TextScanner(std::string_view text, Options options);
 
-  /// The next token of the current (joined) line; empty at its end.
+  /// Next token of the current (joined) line; empty at its end.
   std::string_view token() {
     do {
       skip_blanks();
@@ -38,33 +37,36 @@ class TextScanner {
     } while (cursor_ == token_begin_ && joins_lines());
     return {token_begin_, static_cast<std::size_t>(cursor_ - token_begin_)};
   }
-  /// Moves behind the end of the current (joined) line. False when the file ends here.
+  /// Moves past the end of the current (joined) line; false where the file ends here.
   bool next_line();
-  /// Moves to the next line that has a token, counting the current one; false when there is none.
+  /// Moves to the next line with a token, the current one included; false where there is none.
   bool find_content();
-  /// The rest of the current line as it stands, without blanks at its ends; comments are part of it.
+  /// Rest of the current line, without blanks at its ends; comments are part of it.
   std::string_view rest_of_line();
 
   bool at_end() const { return cursor_ == end_; }
   std::size_t line() const { return line_; }
   std::size_t remaining() const { return static_cast<std::size_t>(end_ - cursor_); }
   const char* position() const { return cursor_; }
+  /// Token that was read last.
   std::string_view last_token() const {
     return {token_begin_, static_cast<std::size_t>(cursor_ - token_begin_)};
   }
 
-  /// An error at the last token: "Line 7, column 3: " and the sentence.
+  /// Error at the last token: "Line 7, column 3: " and the sentence.
   Message error_here(Code code, const std::string& sentence, const std::string& remedy = {}) const;
-  /// An error about a line as a whole.
+  /// Error about a whole line.
   static Message error_at_line(Code code, std::size_t line, const std::string& sentence,
                                const std::string& remedy = {});
 
-  /// E_TRUNCATED: the file ends although `what` should follow.
+  /// E_TRUNCATED: the file ends where `what` should follow.
   Message file_ends(const char* what) const;
 
-  /// Reads the next token as a finite number; `what` is its name in the message.
+  /// Reads the next token as a finite number; `what` names it in the message. Errors: E_PARSE, E_TRUNCATED.
   std::optional<Message> read_real(const char* what, double& value);
+  /// Reads three numbers; errors as `read_real`.
   std::optional<Message> read_point(const char* what, Vector3& point);
+  /// Reads the next token as an integer; errors as `read_real`.
   std::optional<Message> read_integer(const char* what, std::int64_t& value);
 
  private:
@@ -88,7 +90,7 @@ class TextScanner {
   Options options_;
 };
 
-/// `text` in quotes, short and printable, for messages.
+/// Text in quotes, shortened and printable, for messages.
 std::string quote(std::string_view text);
 
 }  // namespace hariko

@@ -8,13 +8,13 @@
 namespace hariko {
 namespace {
 
-/// Up to this number of corners all are looked at for each ear. Above, those that bend inward are: of a
-/// simple polygon one of them is in every triangle that is no ear.
+/// Number of corners up to which all are tested for each ear. Above it only reflex corners are: in a simple
+/// polygon every triangle that is no ear contains one of them.
 constexpr std::size_t largest_for_all = 1000;
-/// Steps that a polygon may take; what is left then becomes a fan.
+/// Limit of steps for a polygon; the rest then becomes a fan.
 constexpr std::size_t most_steps = 400'000'000;
 
-/// The corners in a plane in which the polygon runs counter-clockwise.
+/// Corners projected to a plane in which the polygon runs counter-clockwise.
 std::vector<Vector2> project(std::span<const Vector3> corners) {
   const Vector3 normal = newell_normal(corners);
   int drop = 0;
@@ -38,7 +38,7 @@ bool is_ear(const std::vector<Vector2>& points, const std::vector<Index>& ring, 
   return true;
 }
 
-/// Ears of a polygon of few corners. What is left in `ring` has no ear.
+/// Clips the ears of a polygon with few corners. The rest in `ring` has no ear.
 void cut_ears(const std::vector<Vector2>& points, std::vector<Index>& ring,
               std::vector<std::array<Index, 3>>& out) {
   std::size_t i = 0, failures = 0;
@@ -52,12 +52,12 @@ void cut_ears(const std::vector<Vector2>& points, std::vector<Index>& ring,
     const std::size_t n = ring.size();
     out.push_back({ring[(i + n - 1) % n], ring[i], ring[(i + 1) % n]});
     ring.erase(ring.begin() + static_cast<std::ptrdiff_t>(i));
-    ++i;  // a neighbour of the cut is left for later, which gives better triangles
+    ++i;  // cuts a neighbour later, which gives better triangles
     failures = 0;
   }
 }
 
-/// The same for many corners, in a linked ring. O(corners * corners that bend inward).
+/// Clips the ears of a polygon with many corners, in a linked ring. O(corners * reflex corners).
 class LongPolygon {
  public:
   explicit LongPolygon(const std::vector<Vector2>& points)
@@ -84,7 +84,7 @@ class LongPolygon {
       next_[before_[at]] = next_[at];
       before_[next_[at]] = before_[at];
       --left_;
-      // A neighbour may bend outward now, which it does for good.
+      // Removes neighbours that have become convex; they stay convex.
       std::erase_if(inward_, [&](Index i) {
         return i == at || ((i == before_[at] || i == next_[at]) && bends_outward(i));
       });

@@ -1,6 +1,6 @@
 #pragma once
 
-// Triangles of a polygon in space.
+// Triangulation of polygons in space.
 
 #include <array>
 #include <span>
@@ -11,18 +11,19 @@
 
 namespace hariko {
 
-/// Triangles over the polygon's own corners (numbers into `corners`), same orientation: ears cut off in the
-/// projection along the polygon's mean normal, so concave faces are right when that projection does not cross
-/// itself. Always corners - 2 triangles. O(n^2), above 1000 corners O(n * corners that bend inward); what has
-/// no ear left is cut as a fan.
+/// Triangulates a polygon over its own corners (indices into `corners`), with the same orientation: ear
+/// clipping in the projection along the polygon's mean normal, so concave faces are right where that
+/// projection does not intersect itself. Always corners - 2 triangles. O(n^2), above 1000 corners O(n *
+/// reflex corners); a rest without ears becomes a fan.
 std::vector<std::array<Index, 3>> triangulate_polygon(std::span<const Vector3> corners);
 
-/// All faces of a mesh as triangles, and the face that each is of. Faces with fewer than three corners have
+/// Triangles of all faces of a mesh, and the face of each triangle. Faces with fewer than three corners have
 /// none; indices must be in range.
 struct FaceTriangles {
   std::vector<std::array<Index, 3>> triangles;
   std::vector<Index> faces;
 };
+/// Triangulates all faces of a mesh by `triangulate_polygon`.
 FaceTriangles triangulate(const PolygonMesh& mesh);
 
 }  // namespace hariko

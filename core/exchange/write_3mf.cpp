@@ -63,7 +63,7 @@ std::string hexadecimal(const MeshColour& colour) {
 
 using Triangles = std::vector<std::array<Index, 3>>;
 
-/// Every edge is used once in each direction.
+/// Whether every edge is used once in each direction.
 bool is_closed(const Triangles& triangles) {
   std::vector<std::pair<Index, Index>> forward, backward;
   for (const auto& t : triangles)
@@ -139,7 +139,7 @@ struct DropArchive {
   void operator()(zip_t* archive) const { zip_discard(archive); }
 };
 
-/// The same parts give the same bytes: dates are those of the format's first day.
+/// Adds a part to the archive, dated to the format's first day, so that equal parts give equal bytes.
 bool add_part(zip_t* archive, const char* name, std::string_view text) {
   zip_source_t* part = zip_source_buffer(archive, text.data(), text.size(), 0);
   if (!part) return false;
@@ -163,7 +163,7 @@ Result<std::string> packed(const std::string& model) {
   if (!target) return failed();
   std::unique_ptr<zip_t, DropArchive> archive(zip_open_from_source(target.get(), ZIP_TRUNCATE, &error));
   if (!archive) return failed();
-  zip_source_keep(target.get());  // closing the archive lets go of it
+  zip_source_keep(target.get());  // closing the archive releases it
   if (!add_part(archive.get(), "[Content_Types].xml", content_types) ||
       !add_part(archive.get(), "_rels/.rels", relationships) ||
       !add_part(archive.get(), "3D/3dmodel.model", model))

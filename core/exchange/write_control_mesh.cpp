@@ -7,7 +7,7 @@ namespace hariko {
 
 namespace {
 
-/// Vertices count from 0 here, other than in faces.
+/// Appends a tag, with vertices counted from 0, unlike in faces.
 void append_tag(std::string& out, std::string_view tag, std::initializer_list<std::size_t> vertices,
                 double sharpness) {
   out += tag;

@@ -18,7 +18,7 @@
 namespace hariko {
 namespace {
 
-// Numbers of the glTF 2.0 specification.
+// Constants of the glTF 2.0 specification.
 constexpr std::uint32_t magic = 0x46546C67, version = 2, json_chunk = 0x4E4F534A, binary_chunk = 0x004E4942;
 constexpr int float_component = 5126, index_component = 5125;
 constexpr int vertex_buffer = 34962, index_buffer = 34963;
@@ -27,13 +27,13 @@ void append_word(std::string& out, std::uint32_t word) {
   for (int i = 0; i < 4; ++i) out += static_cast<char>((word >> (8 * i)) & 0xffU);
 }
 
-/// The format stores colours by their light, documents as screens show them (sRGB).
+/// Linear value of an sRGB channel; the format stores linear colours, documents sRGB.
 double linear(std::uint8_t channel) {
   const double c = channel / 255.0;
   return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
 }
 
-/// A part of the binary chunk: one view and one accessor of the file have the same number.
+/// Range of the binary chunk: buffer view and accessor of the file, with the same number.
 struct Accessor {
   std::size_t begin = 0, size = 0;  ///< bytes
   std::size_t count = 0;            ///< elements
@@ -42,7 +42,7 @@ struct Accessor {
   std::optional<std::array<Vector3, 2>> bounds;
 };
 
-/// A node with a mesh and a material of the same number.
+/// Node, with its mesh and material of the same number.
 struct Part {
   std::string name;
   Vector3 place;
@@ -110,7 +110,7 @@ class GltfWriter {
     if (!positions) return positions.error();
     Part part;
     part.name = name;
-    // Floats are fine enough beside the object's own origin, which is a double.
+    // Floats are precise enough relative to the object's own origin, which is a double.
     part.place = space_.placed(origin);
     if (!part.place.allFinite()) return too_large();
     part.colour = {linear(colour[0]), linear(colour[1]), linear(colour[2])};
@@ -143,7 +143,7 @@ class GltfWriter {
   }
 
  private:
-  /// `uri`: of the buffer; empty where it is the file's own binary chunk.
+  /// JSON text of the file. `uri`: of the buffer; empty for the file's own binary chunk.
   std::string root_text(int indent, const std::string& uri) const {
     JsonWriter json(indent);
     json.object([&] {
@@ -196,7 +196,7 @@ class GltfWriter {
                       "Scale it down, or export it as OBJ.");
   }
 
-  /// Adds an accessor of a part of the binary chunk that begins at `begin`.
+  /// Adds an accessor for the range of the binary chunk from `begin` to its end.
   std::size_t add_accessor(std::size_t begin, std::size_t count, int component, const char* type,
                            int target) {
     accessors_.push_back({begin, binary_.size() - begin, count, component, target, type, {}});

@@ -4,7 +4,7 @@
 namespace hariko {
 namespace {
 
-/// The counts come first, so the two lists are gathered side by side.
+/// Gathers vertices and faces separately, as the counts come first.
 class OffWriter {
  public:
   void add_vertex(const Vector3& position) {

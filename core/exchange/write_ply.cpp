@@ -10,10 +10,10 @@
 namespace hariko {
 namespace {
 
-/// What goes into the file: vertices with at most one normal each, and polygons.
+/// Content of the file: vertices with at most one normal each, and polygons.
 struct PlyContent {
   std::vector<Vector3> positions;
-  std::vector<Vector3> normals;  ///< one for each position, or none
+  std::vector<Vector3> normals;  ///< one for each position, or none at all
   std::vector<std::size_t> face_offsets{0};
   std::vector<Index> face_vertices;
 };
@@ -92,7 +92,7 @@ void append_binary(std::string& out, const PlyContent& content, bool long_lists)
 
 template <class Mesh>
 std::string to_bytes(const PlyContent& content, std::span<const Mesh> meshes, MeshEncoding encoding) {
-  bool long_lists = false;  // the usual list type counts to 255 only
+  bool long_lists = false;  // the usual list type counts only to 255
   for (std::size_t f = 0; f + 1 < content.face_offsets.size(); ++f)
     long_lists = long_lists || content.face_offsets[f + 1] - content.face_offsets[f] > 255;
   std::string out = header_of(content, meshes, encoding, long_lists);

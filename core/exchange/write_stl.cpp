@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t header_size = 84, facet_size = 50;
 
-/// The normal and three corners.
+/// Normal and three corners.
 using Facet = std::array<Eigen::Vector3f, 4>;
 
 void append_binary(std::string& out, const Facet& facet) {
@@ -53,7 +53,7 @@ void append_ascii(std::string& out, const Facet& facet) {
 class StlWriter {
  public:
   StlWriter(MeshEncoding encoding, std::size_t triangles) : ascii_(encoding == MeshEncoding::ascii) {
-    constexpr std::size_t usual_ascii_size = 200;  // of a triangle, about
+    constexpr std::size_t usual_ascii_size = 200;  // bytes of a triangle, about
     out_.reserve(header_size + (ascii_ ? usual_ascii_size : facet_size) * triangles);
     if (ascii_) return;
     // Must not begin with "solid", by which readers tell text.
@@ -68,11 +68,11 @@ class StlWriter {
     if (ascii_) out_ += "endsolid " + name_ + "\n";
   }
 
-  /// Corners relative to `origin`, from which the normal is computed.
+  /// Adds a facet; corners are relative to `origin`, and the normal is computed from the relative ones.
   void add(const Vector3& origin, const Vector3& a, const Vector3& b, const Vector3& c) {
     const Vector3 ab = b - a, ac = c - a;
-    // Scaled first, so that neither tiny nor huge triangles leave the range of doubles; a triangle without
-    // area has the normal 0, as the format asks.
+    // Scaled first, so that neither tiny nor huge triangles overflow or underflow; a degenerate triangle has
+    // the normal 0, as the format requires.
     const double scale = std::max(ab.cwiseAbs().maxCoeff(), ac.cwiseAbs().maxCoeff());
     Vector3 normal = Vector3::Zero();
     if (scale > 0) normal = (ab / scale).cross(ac / scale).normalized();

@@ -92,7 +92,7 @@ void XmlReader::refuse(Code code, const std::string& sentence, const char* remed
 }
 
 bool XmlReader::parse(std::string_view piece, bool last) {
-  // Large texts in pieces, too: a tag that is not whole is kept until it is.
+  // Splits large texts: the parser keeps a tag that is not complete.
   for (; piece.size() > piece_size; piece.remove_prefix(piece_size))
     if (!parse(piece.substr(0, piece_size), false)) return false;
   if (error_) return false;

@@ -69,7 +69,7 @@ Result<Done> ZipReader::unpack(const std::string& name, const Sink& sink) {
   if (!file) return damaged(name);
   std::vector<char> piece(65536);
   for (;;) {
-    // The last read finds the end and compares the sum of all bytes.
+    // The last read finds the end and verifies the checksum.
     const zip_int64_t count = zip_fread(file.get(), piece.data(), piece.size());
     if (count < 0) return damaged(name);
     if (count == 0) return Done{};

@@ -12,21 +12,22 @@
 
 namespace hariko {
 
-/// An archive may promise much more than it holds. All that is unpacked of it is at most 64 MiB and 100 bytes
-/// for each byte of the archive; text of meshes is packed to a fifth, seldom to a twentieth.
+/// Reader of an archive with a limit on unpacked bytes, as an archive may unpack to far more than its size:
+/// 64 MiB plus 100 bytes for each byte of the archive. Text of meshes compresses to a fifth, seldom to a
+/// twentieth.
 class ZipReader {
  public:
-  /// Borrows `bytes`. Errors: E_TRUNCATED where they are no whole archive.
+  /// Opens an archive. Borrows `bytes`. Errors: E_TRUNCATED where they are not a whole archive.
   static Result<ZipReader> open(std::string_view bytes);
 
-  /// Takes the next bytes; false ends the unpacking.
+  /// Receiver of unpacked bytes; returning false ends the unpacking.
   using Sink = std::function<bool(std::string_view piece)>;
+  /// Whether the archive has a part of this name; names are case-insensitive.
   bool has(const std::string& name) const;
-  /// What the archive says that the part unpacks to; 0 where it does not.
+  /// Unpacked size of the part as the archive gives it; 0 where it does not.
   std::uint64_t size(const std::string& name) const;
-  /// Gives the whole part to `sink`, at most 64 KiB at once. Names differ by more than the case of letters.
-  /// Errors: E_PARSE where there is no such part, or it cannot be unpacked, or is not what was packed;
-  /// E_LIMIT.
+  /// Unpacks a whole part to `sink`, at most 64 KiB at once. Names are case-insensitive. Errors: E_PARSE
+  /// where there is no such part or its data are damaged; E_LIMIT.
   Result<Done> unpack(const std::string& name, const Sink& sink);
   /// Bytes that were unpacked so far.
   std::uint64_t unpacked() const { return unpacked_; }

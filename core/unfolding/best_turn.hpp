@@ -1,6 +1,6 @@
 #pragma once
 
-// BestTurn: how a set of points is turned to fit a page best.
+// BestTurn: rotation at which a set of points fits a page best.
 
 #include <span>
 
@@ -8,14 +8,15 @@
 
 namespace hariko {
 
-/// The turn at which points need the least of the room.
+/// Rotation at which a set of points needs the smallest part of the page.
 struct BestTurn {
   double angle = 0;   ///< radians, counter-clockwise
-  double factor = 0;  ///< by which they could grow and still fit; below 1 they do not fit
-  PaperSize size;     ///< of their box then
+  double factor = 0;  ///< by which the points could be scaled and still fit; below 1 they do not fit
+  PaperSize size;     ///< box of the points at this angle
 };
 
-/// Looked for every degree, then closer round the best one. O(points). `points` is not empty.
+/// Best rotation over all whole degrees of a half turn, refined round the best one to 1e-5 radians.
+/// O(points). `points` must not be empty.
 BestTurn best_turn(std::span<const Vector2> points, const PaperSize& room);
 
 }  // namespace hariko

@@ -9,7 +9,7 @@ namespace hariko {
 
 namespace {
 
-/// Whether the penetration of q over the line from a to b is at most the tolerance: cross <= 0, or
+/// Whether q penetrates the line from a to b by at most the tolerance, in exact arithmetic: cross <= 0, or
 /// cross^2 <= tolerance^2 |b - a|^2.
 bool beyond_exactly(const Vector2& a, const Vector2& b, const Vector2& q, double tolerance) {
   const Expansion ex = Expansion::difference(b.x(), a.x()), ey = Expansion::difference(b.y(), a.y());
@@ -19,7 +19,7 @@ bool beyond_exactly(const Vector2& a, const Vector2& b, const Vector2& q, double
   return (cross * cross - allowed).sign() <= 0;
 }
 
-/// Whether the line from a to b has the whole polygon beyond it (on its right), up to the tolerance.
+/// Whether the whole polygon lies beyond the line from a to b (on its right), up to the tolerance.
 bool separates(const Vector2& a, const Vector2& b, std::span<const Vector2> polygon, double tolerance) {
   // Each of the four differences and the products, their difference and the root have a relative error of
   // half an ulp; 4 ulp of the products bound them all.

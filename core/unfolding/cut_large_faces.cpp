@@ -22,12 +22,12 @@ constexpr int most_halvings = 64;  ///< far more than `most_pages` allows
 using Corners = std::vector<Index>;
 using Side = std::pair<Index, Index>;
 
-/// The same as while pieces grow (unfolding.cpp), less what rounding may take.
+/// Room for a face: that for growing pieces (unfolding.cpp) less a margin for rounding.
 PaperSize room_of_faces(const PaperSettings& settings) {
   return {settings.piece_room().width - 0.3, settings.piece_room().height - 0.3};
 }
 
-/// A face in the plane, in one of the directions in which pieces are turned.
+/// Face in the plane, in one of the rotations in which pieces are tried.
 struct TurnedFace {
   Vector2 x, y;  ///< axes of the page
   Vector2 low, size;
@@ -55,13 +55,13 @@ TurnedFace turned(const std::vector<Vector2>& corners, std::size_t direction) {
   return out;
 }
 
-/// Pages that a face takes in a direction, across and up.
+/// Number of pages that a face takes across and up in a rotation.
 std::array<double, 2> pages_of(const TurnedFace& face, const PaperSize& room) {
   return {std::max(1.0, std::ceil(face.size.x() / room.width)),
           std::max(1.0, std::ceil(face.size.y() / room.height))};
 }
 
-/// The turn with the fewest pages, and of these the one with the least over.
+/// Rotation with the fewest pages and, among these, with the least excess.
 TurnedFace best_direction(const std::vector<Vector2>& corners, const PaperSize& room) {
   std::optional<TurnedFace> best;
   std::array<double, 2> least{};
@@ -85,7 +85,7 @@ class FaceCutter {
   }
 
   CutFaces cut() {
-    // Parts come behind, and are looked at in their turn.
+    // Parts are appended and examined in their turn.
     for (std::size_t f = 0; f < faces_.size(); ++f)
       for (int halvings = 0; halvings < most_halvings && !fits(f); ++halvings) divide(f);
     CutFaces out;
@@ -116,14 +116,14 @@ class FaceCutter {
     return across * up == 1 || best_turn(flat, room_).factor >= 1;
   }
 
-  /// In two: by a line across, or into triangles where a line will not do.
+  /// Divides a face in two by a line or, where it is not convex and flat, into triangles.
   void divide(std::size_t f) {
     const std::vector<Vector3> corners = places(f);
     if (corners.size() > 3 && !(convex(corners) && level(corners))) return into_triangles(f, corners);
     const std::vector<Vector2> flat = flat_corners(corners);
     const TurnedFace at = best_direction(flat, room_);
     const auto [across, up] = pages_of(at, room_);
-    const bool upright = across >= up;  // the line, which cuts off whole pages
+    const bool upright = across >= up;  // direction of the line, which cuts off whole pages
     const double count = upright ? across : up;
     const Vector2& axis = upright ? at.x : at.y;
     const double line = (upright ? at.low.x() : at.low.y()) +
@@ -165,7 +165,8 @@ class FaceCutter {
     own_sides(faces_.size() - 1);
   }
 
-  /// `height` of each corner over the line; what is nearer than `touching` is on it.
+  /// Cuts a face along a line, given the signed distance `height` of each corner; corners nearer than
+  /// `touching` lie on it.
   void cut_along(std::size_t f, std::vector<double> height, double touching) {
     for (double& h : height)
       if (std::abs(h) <= touching) h = 0;
@@ -188,9 +189,9 @@ class FaceCutter {
     replace_or_add(false, f, std::move(above));
   }
 
-  /// A vertex on a side, for the face beyond it, too.
+  /// Inserts a vertex on a side, also in the face beyond it.
   Index split_side(Index a, Index b, double t) {
-    // From the lower vertex, so that both sides of a cut agree.
+    // Interpolates from the lower vertex, so that both sides of a cut agree.
     const Vector3 at = a < b ? Vector3(positions_[a] + t * (positions_[b] - positions_[a]))
                              : Vector3(positions_[b] + (1 - t) * (positions_[a] - positions_[b]));
     const auto v = static_cast<Index>(positions_.size());
@@ -209,8 +210,8 @@ class FaceCutter {
   std::vector<Vector3> positions_;
   PaperSize room_;
   std::vector<Corners> faces_;
-  std::vector<std::size_t> origin_;    ///< face of the mesh that each face is part of
-  std::map<Side, std::size_t> owner_;  ///< the face that has a side in this direction
+  std::vector<std::size_t> origin_;    ///< original face of each face
+  std::map<Side, std::size_t> owner_;  ///< face with a side in this direction
 };
 
 double area_of_faces(const PolygonMesh& mesh) {

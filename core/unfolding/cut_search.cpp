@@ -52,7 +52,7 @@ Result<std::vector<Folds>> search_cuts(const FacetGraph& graph, const std::vecto
   progress.report(0.2);
   if (cancel.cancelled()) return cancelled_search();
 
-  // Not every state on the way: what has nearly as many pieces as the one before is no other choice.
+  // Keeps only states with clearly fewer pieces than the one before: others are no real alternative.
   std::size_t kept = best->piece_count();
   const auto improved = [&](const FacetForest& forest) {
     if (5 * forest.piece_count() > 4 * kept) return;

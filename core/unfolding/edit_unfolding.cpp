@@ -23,7 +23,7 @@ Message border_error(const Unfolding& unfolding, Index edge) {
                     "Choose an edge between two facets.", named_edge(unfolding, edge));
 }
 
-/// The tabs of a piece, by joint.
+/// Calls visit for the tabs of a piece.
 template <class Visit>
 void for_each_tab(const Unfolding& unfolding, Index piece, Visit&& visit) {
   for (Index j = 0; j < unfolding.joints.size(); ++j) {
@@ -32,8 +32,8 @@ void for_each_tab(const Unfolding& unfolding, Index piece, Visit&& visit) {
   }
 }
 
-/// The copy with one piece at another place. Facets and tabs are laid anew, not shifted, so that no rounding
-/// adds up.
+/// Copy with one piece at another place. Facets and tabs are laid out anew instead of moved, so that rounding
+/// does not accumulate.
 Unfolding with_placement(const Unfolding& unfolding, Index piece, const PiecePlacement& placement) {
   Unfolding out = unfolding;
   const std::vector<FacetCorners> shapes = facet_shapes(*out.graph, out.settings.scale);
@@ -44,7 +44,7 @@ Unfolding with_placement(const Unfolding& unfolding, Index piece, const PiecePla
     out.corners[facet] = placement.apply(layout.corners[facet]);
   for_each_tab(out, piece, [&](Index j) {
     GlueTab& tab = *out.joints[j].tab;
-    // From the page back to the piece, and to the page again.
+    // Maps from the page back to the piece, and to the new place.
     for (Vector2& corner : tab.corners) {
       const PiecePlacement back{0, -before.angle, Vector2::Zero()};
       corner = placement.apply(back.apply(corner - before.offset));
@@ -77,7 +77,7 @@ PieceBox box_of(const Unfolding& unfolding, Index piece, double angle) {
   return out;
 }
 
-/// Where facets and strips lie now; those of piece `moved` lie nowhere.
+/// Present places of facets and strips, without piece `moved`.
 KnownPlaces places_in(const Unfolding& unfolding, Index moved = no_index) {
   KnownPlaces out;
   out.piece = [&unfolding, moved](Index facet, const FacetCorners& corners) -> std::optional<PiecePlacement> {
@@ -109,7 +109,7 @@ Result<Unfolding> join_at(const Unfolding& unfolding, Index e) {
   folds[e] = 1;
   EdgeRules wishes = unfolding.wishes;
   wishes[e] = EdgeRule::folded;
-  // The smaller piece has no place of its own any more.
+  // The smaller piece loses its place.
   const std::size_t sizes[] = {unfolding.pieces[first].facets.size(), unfolding.pieces[second].facets.size()};
   const Index moved = sizes[0] < sizes[1] ? first : second;
   return assemble(unfolding.graph, unfolding.settings, std::move(folds), std::move(wishes),
@@ -157,8 +157,8 @@ Unfolding turn_piece(const Unfolding& unfolding, Index piece, double angle) {
 }
 
 Unfolding straighten_piece(const Unfolding& unfolding, Index piece) {
-  // The smallest box has a side along a side of the convex hull, so along a line between two corners that are
-  // both extreme; sides of facets and every half degree find it closely enough for paper.
+  // The smallest box has a side along a side of the convex hull, hence along a line between two extreme
+  // corners; sides of facets and every half degree approximate it closely enough for paper.
   double best_angle = 0, best_area = 1e300;
   const auto consider = [&](double angle) {
     angle = std::remainder(angle, pi / 2);

@@ -1,6 +1,6 @@
 #pragma once
 
-// What a designer does to a paper model by hand. Pure functions: each gives a changed copy.
+// Manual edits of a paper model. Pure functions: each returns a changed copy.
 
 #include "core/unfolding/unfolding.hpp"
 
@@ -12,43 +12,43 @@ inline constexpr Code e_already_folded{"E_ALREADY_FOLDED"};
 inline constexpr Code e_already_cut{"E_ALREADY_CUT"};
 inline constexpr Code e_inside_face{"E_INSIDE_FACE"};
 
-/// The cut edge becomes a fold: the smaller piece moves to the larger one. It may overlap then;
-/// `overlaps_of` tells. Errors: E_EDGE_ON_BORDER, E_ALREADY_FOLDED, E_SAME_PIECE (a fold more would close a
-/// ring of facets). O(facets).
+/// Joins two pieces: the cut edge becomes a fold, and the smaller piece moves to the larger one. The result
+/// may overlap; `overlaps_of` tells. Errors: E_EDGE_ON_BORDER, E_ALREADY_FOLDED, E_SAME_PIECE (another fold
+/// would close a ring of facets). O(facets).
 Result<Unfolding> join_at(const Unfolding& unfolding, Index edge);
 
-/// The fold becomes a cut. Both parts stay where they are. Errors: E_EDGE_ON_BORDER, E_ALREADY_CUT,
-/// E_INSIDE_FACE (flat faces stay whole).
+/// Splits a piece: the fold becomes a cut, and both parts stay in place. Errors: E_EDGE_ON_BORDER,
+/// E_ALREADY_CUT, E_INSIDE_FACE (flat faces stay whole). O(facets).
 Result<Unfolding> split_at(const Unfolding& unfolding, Index edge);
 
-/// The same, and the smaller part goes where there is room for it. Errors: those of `split_at`.
+/// Splits a piece and moves the smaller part to free room. Errors: those of `split_at`.
 Result<Unfolding> split_aside(const Unfolding& unfolding, Index edge);
 
-/// The piece, with its tabs, on this page, shifted by `shift` (mm).
+/// Moves a piece with its tabs to a page, shifted by `shift` (mm).
 Unfolding move_piece(const Unfolding& unfolding, Index piece, Index page, const Vector2& shift);
-/// Counter-clockwise by `angle` (radians) round the middle of its box.
+/// Rotates a piece counter-clockwise by `angle` (radians) about the centre of its box.
 Unfolding turn_piece(const Unfolding& unfolding, Index piece, double angle);
-/// Turned the least so that its smallest box is parallel to the page.
+/// Rotates a piece by the least angle that makes its smallest box parallel to the page.
 Unfolding straighten_piece(const Unfolding& unfolding, Index piece);
 
-/// Where the tab of a cut edge is, or a strip instead. What does not fit becomes a strip.
+/// Chooses the side of a cut edge for its tab, or a strip instead. A tab that does not fit becomes a strip.
 Unfolding choose_tab(const Unfolding& unfolding, Index edge, TabChoice choice);
 
-/// All pieces and strips packed anew.
+/// Packs all pieces and strips anew.
 Unfolding rearrange(const Unfolding& unfolding);
 
-/// Breaks the piece up so that its parts fit the page; other pieces keep their folds and places.
+/// Divides a piece so that its parts fit the page; other pieces keep their folds and places.
 Unfolding split_to_fit(const Unfolding& unfolding, Index piece);
 
-/// Other settings, the same cuts. Where lengths on paper change, all is packed anew. Errors: those of
+/// Same cuts with other settings. Where lengths on paper change, everything is packed anew. Errors: those of
 /// `check_settings`.
 Result<Unfolding> with_settings(const Unfolding& unfolding, const PaperSettings& settings);
 
-/// Two things that overlap on a page. Facets are below the number of facets; the others are tabs and strips
-/// of joints (facet count + joint).
+/// Pairs of items that overlap on a page. Numbers below the facet count are facets; the others are tabs and
+/// strips of joints (facet count + joint).
 std::vector<std::pair<Index, Index>> overlaps_of(const Unfolding& unfolding);
 
-/// Pieces that, with their tabs, pass the margins. Ascending.
+/// Pieces that extend, with their tabs, beyond the margins. Ascending.
 std::vector<Index> pieces_off_page(const Unfolding& unfolding);
 
 }  // namespace hariko

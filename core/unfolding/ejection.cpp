@@ -24,8 +24,8 @@ class Eliminator {
         pool_place_(forest.graph().facet_count(), no_index),
         stale_(forest.piece_slots(), 0) {}
 
-  /// Breaks the piece up and places its facets elsewhere; false when `steps` did not suffice: the forest is
-  /// then without some facets.
+  /// Removes a piece by placing its facets elsewhere. False where `steps` did not suffice; the forest then
+  /// lacks some facets.
   bool eliminate(Index piece, std::uint64_t& steps, const CancelToken& cancel,
                  const std::function<void()>& tick) {
     const std::vector<Index> members = forest_.members(piece);
@@ -47,7 +47,7 @@ class Eliminator {
 
  private:
   struct Option {
-    Index from = no_index;  ///< the placed neighbour
+    Index from = no_index;  ///< neighbour that is placed
     std::vector<FacetMove> moves;
     double cost = 0;
     std::vector<Index> ejected;
@@ -72,7 +72,7 @@ class Eliminator {
     return false;
   }
 
-  /// The heaviest of a few random facets that have a placed neighbour.
+  /// Heaviest of a few random facets that have a placed neighbour.
   Index choose() {
     Index best = no_index;
     for (int tries = 0, found = 0; tries < 4 * looked_at && found < looked_at; ++tries) {
@@ -86,8 +86,8 @@ class Eliminator {
     return found == pool_.end() ? no_index : *found;
   }
 
-  /// Places the facet beside the neighbour where that ejects the least weight. Stays in the pool where it
-  /// cannot be placed at all.
+  /// Places a facet beside the neighbour where that ejects the least weight. A facet that fits nowhere stays
+  /// in the pool.
   void place(Index facet) {
     best_.from = no_index;
     for (Index own_side = 0; own_side < 3; ++own_side) {
@@ -106,8 +106,8 @@ class Eliminator {
     forest_.attach(piece, best_.moves);
   }
 
-  /// Whether the piece fits with the moves of `option_`. What a piece covers is taken anew only where what it
-  /// covered before it lost facets does not fit.
+  /// Whether the piece fits with the moves of `option_`. Its extent is recomputed after it lost facets only
+  /// where the old extent does not fit.
   bool fits(Index piece) {
     if (forest_.fits(piece, option_.moves)) return true;
     if (!stale_[piece]) return false;
@@ -134,7 +134,7 @@ class Eliminator {
     if (best_.from == no_index || option_.cost < best_.cost) std::swap(best_, option_);
   }
 
-  /// The facet that the facets which always move with this one hang on.
+  /// Root of the group of facets that move as one with this facet.
   Index top_of_group(Index facet) const {
     const FacetGraph& graph = forest_.graph();
     for (Index side = forest_.parent_side(facet);
@@ -144,8 +144,8 @@ class Eliminator {
     return facet;
   }
 
-  /// The facet and all that hangs on it; false where the new facet itself would hang on it, or where the cost
-  /// passes that of the best option.
+  /// Adds a facet with its subtree to the ejected ones. False where the new facet itself belongs to that
+  /// subtree, or where the cost exceeds that of the best option.
   bool add_subtree(Index top) {
     if (seen_[top] == stamp_) return true;
     std::size_t done = option_.ejected.size();
@@ -171,12 +171,12 @@ class Eliminator {
   std::vector<double> weight_;
   std::vector<std::uint64_t> placed_at_, seen_;
   std::vector<Index> pool_, pool_place_, overlapped_;
-  std::vector<char> stale_;  ///< pieces that lost facets since their extent was taken
+  std::vector<char> stale_;  ///< pieces that lost facets since their extent was computed
   std::uint64_t now_ = 0, stamp_ = 0;
   Option best_, option_;
 };
 
-/// Pieces that are no whole component, smallest first.
+/// Pieces that are not a whole component, smallest first.
 std::vector<Index> removable_pieces(const FacetForest& forest) {
   std::vector<std::size_t> component_size(forest.graph().component_count(), 0);
   for (Index f = 0; f < forest.graph().facet_count(); ++f) ++component_size[forest.graph().component(f)];
@@ -195,7 +195,7 @@ std::vector<Index> removable_pieces(const FacetForest& forest) {
 
 std::uint64_t eject_pieces(FacetForest& forest, const EjectionOptions& options, const CancelToken& cancel,
                            const Progress& progress) {
-  constexpr std::uint64_t share = 3;  // a single elimination gets so much of what is left
+  constexpr std::uint64_t share = 3;  // a single elimination gets this fraction of the remaining budget
   std::uint64_t left = options.steps, seed = options.seed;
   std::size_t failures = 0;
   while (left > 0 && failures < share && !cancel.cancelled()) {

@@ -1,6 +1,6 @@
 #pragma once
 
-// Ejection search: fewer pieces by breaking one up and placing its facets where they push out the least
+// Ejection search: removes pieces one at a time by placing their facets where these eject the least weight
 // (unfolding.md, "The method that is used"). Internal to core/unfolding.
 
 #include <cstdint>
@@ -12,16 +12,16 @@
 
 namespace hariko {
 
+/// Budget and seed of an ejection search.
 struct EjectionOptions {
-  std::uint64_t steps = 0;  ///< of placing one facet; the whole budget
+  std::uint64_t steps = 0;  ///< total budget; a step places one facet
   std::uint64_t seed = 1;
-  /// Called for every state with one piece less.
+  /// Called after each piece that was removed.
   std::function<void(const FacetForest&)> improved = {};
 };
 
-/// Removes pieces one by one while the budget lasts; the forest is left at the fewest pieces found. A
-/// function of its arguments: steps are counted, never time. The last state is kept when cancelled. Gives the
-/// steps that were used.
+/// Removes pieces one at a time while the budget lasts; leaves the forest with the fewest pieces found, also
+/// when cancelled. Deterministic: steps are counted, not time. Returns the number of steps used.
 std::uint64_t eject_pieces(FacetForest& forest, const EjectionOptions& options, const CancelToken& cancel,
                            const Progress& progress);
 

@@ -10,7 +10,7 @@ namespace hariko {
 
 namespace {
 
-/// A polygon in its mean plane whose ears are cut off one by one.
+/// Ear clipping of a polygon in its mean plane.
 class EarCutter {
  public:
   explicit EarCutter(std::span<const Vector3> corners) {
@@ -36,7 +36,7 @@ class EarCutter {
       const std::size_t n = ring_.size();
       score_[(i + n - 1) % n] = score((i + n - 1) % n);
       score_[i % n] = score(i % n);
-      // Ears that a corner lay in may be free now.
+      // Recomputes ears that contained a corner: they may be free now.
       for (std::size_t k = 0; k < n; ++k)
         if (score_[k] < 0) score_[k] = score(k);
     }
@@ -47,7 +47,7 @@ class EarCutter {
   Index before(std::size_t i) const { return ring_[(i + ring_.size() - 1) % ring_.size()]; }
   Index after(std::size_t i) const { return ring_[(i + 1) % ring_.size()]; }
 
-  /// How round the ear is; 0 where the corner does not turn inwards, below 0 where another corner lies in it.
+  /// Roundness of the ear; 0 where the corner is not convex, below 0 where the ear contains another corner.
   double score(std::size_t i) const {
     const Vector2 &a = points_[before(i)], &b = points_[ring_[i]], &c = points_[after(i)];
     const double twice = twice_area(a, b, c);
@@ -65,7 +65,7 @@ class EarCutter {
 
   std::vector<Vector2> points_;
   std::vector<Index> ring_;
-  std::vector<double> score_;  ///< of the ear at each corner of the ring
+  std::vector<double> score_;  ///< score of the ear at each corner of the ring
   double largest_ = 0;
 };
 

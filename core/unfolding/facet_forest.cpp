@@ -138,7 +138,7 @@ bool FacetForest::join(Index edge) {
       if (!extent.fits(*room_)) return false;
     }
     if (!is_free(target, move.corners)) return false;
-    // The rest of the moved piece hangs on its old folds, whichever way they ran.
+    // The rest of the moved piece follows over its old folds, in either direction.
     for (Index s = 0; s < 3; ++s) {
       const Index next = graph_->neighbour(move.facet, s);
       if (next == no_index || s == move.parent_side || piece_[next] != source) continue;

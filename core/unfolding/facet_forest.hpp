@@ -1,7 +1,7 @@
 #pragma once
 
-// FacetForest: pieces while a search grows, joins and breaks them. No two facets of a piece overlap, ever.
-// Internal to core/unfolding.
+// FacetForest: pieces of an unfolding during a search that grows, joins and divides them. Invariant: no two
+// facets of a piece overlap. Internal to core/unfolding.
 
 #include <optional>
 #include <vector>
@@ -12,65 +12,71 @@
 
 namespace hariko {
 
-/// What a search may do with an edge.
+/// Constraint of a search on an edge.
 enum class EdgeRule : std::uint8_t {
   free,
-  folded,  ///< always; the facets that such edges join move as one
-  cut      ///< always
+  folded,  ///< always folded; the facets that such edges join move as one
+  cut      ///< always cut
 };
 
-/// One for each edge; empty means that all are free. Folded edges form a forest.
+/// Constraints, one for each edge; empty means that all are free. Folded edges must form a forest.
 using EdgeRules = std::vector<EdgeRule>;
 
-/// A facet and where it is going to lie.
+/// Facet with its new position.
 struct FacetMove {
   Index facet = no_index, parent_side = no_index;
   FacetCorners corners;
 };
 
+/// Pieces as trees of facets, with their positions in the plane.
 class FacetForest {
  public:
-  /// `tolerance` in the unit of the shapes. Where `room` is given, pieces stay within it when turned. Borrows
-  /// graph, shapes and rules.
+  /// Empty forest. `tolerance` in the unit of the shapes. With `room`, every piece fits it in some rotation.
+  /// Borrows graph, shapes and rules.
   FacetForest(const FacetGraph& graph, const std::vector<FacetCorners>& shapes, const EdgeRules& rules,
               double tolerance, std::optional<PaperSize> room);
 
   const FacetGraph& graph() const { return *graph_; }
   bool placed(Index facet) const { return piece_[facet] != no_index; }
   Index piece(Index facet) const { return piece_[facet]; }
-  /// The side towards the parent; no_index for roots and facets that are not placed.
+  /// Side towards the parent; no_index for roots and facets that are not placed.
   Index parent_side(Index facet) const { return parent_side_[facet]; }
   const FacetCorners& corners(Index facet) const { return corners_[facet]; }
-  /// Pieces are numbered from 0; some may be empty.
+  /// Upper bound of piece numbers, which begin at 0; some pieces may be empty.
   std::size_t piece_slots() const { return members_.size(); }
   const std::vector<Index>& members(Index piece) const { return members_[piece]; }
+  /// Number of pieces that are not empty. O(pieces).
   std::size_t piece_count() const;
 
+  /// Constraint on an edge.
   EdgeRule rule(Index edge) const { return rules_->empty() ? EdgeRule::free : (*rules_)[edge]; }
-  /// The neighbour across a side, where there is one and the edge need not be cut; else no_index.
+  /// Neighbour across a side; no_index where there is none or the edge must be cut.
   Index reachable(Index facet, Index side) const {
     return rule(graph_->edge_at(facet, side)) == EdgeRule::cut ? no_index : graph_->neighbour(facet, side);
   }
 
-  /// A new piece of one facet and what always moves with it.
+  /// Starts a piece from one facet and those that always move with it.
   Index plant(Index facet);
-  /// Where the neighbour across a side of a placed facet would lie, and then what always moves with it.
+  /// Appends the position of the neighbour across a side of a placed facet, and those of the facets that
+  /// always move with it.
   void find_moves(Index facet, Index side, std::vector<FacetMove>& out) const;
+  /// Whether the piece, with these moves, fits the room.
   bool fits(Index piece, const std::vector<FacetMove>& moves) const;
-  /// Whether no facet of the piece overlaps the corners.
+  /// Whether the corners overlap no facet of the piece.
   bool is_free(Index piece, const FacetCorners& corners) const;
+  /// Whether none of the moves overlaps a facet of the piece.
   bool is_free(Index piece, const std::vector<FacetMove>& moves) const;
   /// Appends the facets of the piece that overlap the corners.
   void find_overlapped(Index piece, const FacetCorners& corners, std::vector<Index>& out) const;
-  /// Adds facets that are not placed to the piece; moves of find_moves that are free.
+  /// Adds facets to the piece by moves of `find_moves` that are free; the facets must not be placed.
   void attach(Index piece, const std::vector<FacetMove>& moves);
-  /// Takes a facet away; its children must be taken too, by the caller.
+  /// Removes a facet; the caller must remove its children too.
   void detach(Index facet);
-  /// After facets were detached: what the piece covers now. O(piece).
+  /// Recomputes the extent of a piece after facets were detached. O(piece).
   void shrink_extent(Index piece);
 
-  /// Moves the whole smaller piece over to the larger one across the edge; false when they would overlap or
-  /// not fit, and nothing is changed then. The facets at the edge are in different pieces.
+  /// Joins two pieces across an edge by moving the smaller one. False, without a change, where they would
+  /// overlap or not fit. The facets at the edge must be in different pieces.
   bool join(Index edge);
 
   /// Calls visit(child) for the children of a placed facet.
@@ -84,11 +90,12 @@ class FacetForest {
     }
   }
 
+  /// Folds of the present pieces. O(facets).
   Folds folds() const;
 
  private:
   void put(Index piece, const FacetMove& move);
-  /// Appends what always moves with moves[k], for all k.
+  /// Appends the facets that always move with moves[k], for all k.
   void add_followers(std::vector<FacetMove>& moves) const;
 
   const FacetGraph* graph_;
@@ -97,7 +104,7 @@ class FacetForest {
   double tolerance_;
   std::optional<PaperSize> room_;
   FacetGrid grid_;
-  std::vector<Index> piece_, parent_side_, place_;  ///< place in the list of members
+  std::vector<Index> piece_, parent_side_, place_;  ///< `place_`: position in the list of members
   std::vector<FacetCorners> corners_;
   std::vector<std::vector<Index>> members_;
   std::vector<PieceExtent> extents_;

@@ -63,7 +63,7 @@ void report_edges(const PolygonMesh& mesh, const std::vector<char>& sound, std::
   });
 }
 
-/// Faults that other parts of the program name too; faults at vertices do not matter here.
+/// Adds the connectivity faults that matter for unfolding; those at vertices do not.
 void report_polygons(const PolygonMesh& mesh, std::size_t limit, std::vector<Message>& out) {
   for (Message& message : connectivity_errors(mesh, limit))
     if (message.code == e_no_faces || message.code == e_index_range || message.code == e_face_too_small ||
@@ -88,7 +88,7 @@ Result<FacetGraph> FacetGraph::build(const PolygonMesh& mesh) {
   FacetGraph out;
   out.positions_ = mesh.positions;
   out.add_facets(mesh);
-  // Sides of faces: corner k of the mesh's list begins one.
+  // Sides of faces; each is numbered by the corner in the mesh's list where it begins.
   EdgeTable(mesh).for_each_edge([&](Index low, Index high, std::span<const EdgeUse> uses) {
     FacetEdge edge{low, high};
     for (std::size_t k = 0; k < uses.size(); ++k) {
@@ -124,7 +124,7 @@ void FacetGraph::add_facets(const PolygonMesh& mesh) {
 }
 
 void FacetGraph::add_edge(FacetEdge edge) {
-  // The lower facet first.
+  // Orders the facets ascending.
   if (edge.facets[1] < edge.facets[0]) {
     std::swap(edge.facets[0], edge.facets[1]);
     std::swap(edge.sides[0], edge.sides[1]);
@@ -142,7 +142,7 @@ void FacetGraph::add_edge(FacetEdge edge) {
   edges_.push_back(edge);
 }
 
-/// Edges between the facets of one face.
+/// Adds the edges between the facets of one face.
 void FacetGraph::add_inner_edges() {
   for (Index f = 0; f < face_count(); ++f) {
     const std::size_t before = edges_.size();

@@ -18,7 +18,7 @@ FacetGrid::FacetGrid(const std::vector<FacetCorners>& shapes) : seen_(shapes.siz
   double sum = 0;
   for (const FacetCorners& shape : shapes) sum += longest_side(shape);
   double cell = shapes.empty() ? 1 : sum / static_cast<double>(shapes.size());
-  // Few large facets among many small ones must not fill the table.
+  // Bounds the table where few large facets are among many small ones.
   const auto entries = [&] {
     double count = 0;
     for (const FacetCorners& shape : shapes) count += std::pow(longest_side(shape) / cell + 2, 2);

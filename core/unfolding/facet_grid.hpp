@@ -1,6 +1,6 @@
 #pragma once
 
-// FacetGrid: which facets of a piece are near a triangle. A hash table of square cells, one sheet a piece.
+// FacetGrid: spatial hash of the facets of pieces, in square cells, with one plane for each piece.
 
 #include <algorithm>
 #include <cmath>
@@ -11,17 +11,20 @@
 
 namespace hariko {
 
+/// Finds the facets of a piece near a triangle.
 class FacetGrid {
  public:
-  /// Cells of about a mean facet. `shapes` as they will be inserted, moved but not scaled.
+  /// Chooses cells of about the size of a mean facet. `shapes`: the facets to be inserted, which may be moved
+  /// but not scaled.
   explicit FacetGrid(const std::vector<FacetCorners>& shapes);
 
+  /// Inserts a facet of a piece at these corners.
   void insert(Index piece, Index facet, const FacetCorners& corners);
-  /// Same arguments as when it was inserted.
+  /// Removes a facet; arguments as when it was inserted.
   void remove(Index piece, Index facet, const FacetCorners& corners);
 
-  /// Calls visit(facet) once for every facet of the piece whose cells meet the box of the corners; stops when
-  /// it returns false, and is false then.
+  /// Calls visit(facet) once for every facet of the piece whose cells meet the box of the corners; stops, and
+  /// returns false, when visit returns false.
   template <class Visit>
   bool for_each_near(Index piece, const FacetCorners& corners, Visit&& visit) const {
     const Cells cells = cells_of(corners);
@@ -47,8 +50,8 @@ class FacetGrid {
     std::int64_t low_x, low_y, high_x, high_y;
   };
   Cells cells_of(const FacetCorners& corners) const;
-  /// Pieces below 2^20 and cells within 2^21 of the origin have keys of their own; others may share some,
-  /// which only makes more facets near.
+  /// Hash key of a cell: unique for pieces below 2^20 and cells within 2^21 of the origin. Others may share
+  /// keys, which only makes more facets count as near.
   static std::uint64_t key_of(Index piece, std::int64_t x, std::int64_t y) {
     constexpr std::uint64_t mask = (1U << 22) - 1;
     return (std::uint64_t(piece) << 44) | ((std::uint64_t(x) & mask) << 22) | (std::uint64_t(y) & mask);

@@ -45,7 +45,7 @@ FacetCorners hinge(const FacetCorners& shape, Index side, const Vector2& a, cons
 
 FacetCorners hinge_neighbour(const FacetGraph& graph, const std::vector<FacetCorners>& shapes, Index facet,
                              const FacetCorners& corners, Index side) {
-  // Neighbours run along their common edge in opposite directions.
+  // Adjacent facets run along their common edge in opposite directions.
   return hinge(shapes[graph.neighbour(facet, side)], graph.mate_side(facet, side), corners[(side + 1) % 3],
                corners[side]);
 }
@@ -54,7 +54,7 @@ FlatLayout lay_out(const FacetGraph& graph, const std::vector<FacetCorners>& sha
   FlatLayout out;
   out.piece_of.assign(graph.facet_count(), no_index);
   out.corners.resize(graph.facet_count());
-  std::vector<Index> entered_by(graph.facet_count(), no_index);  // edge to the parent
+  std::vector<Index> entered_by(graph.facet_count(), no_index);  // edge to each facet's parent
   for (Index root = 0; root < graph.facet_count(); ++root) {
     if (out.piece_of[root] != no_index) continue;
     LaidPiece piece{{root}};

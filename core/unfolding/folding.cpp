@@ -10,7 +10,7 @@ namespace {
 
 using Eigen::Quaterniond;
 
-/// Axes of a triangle: along its first side, across it in the plane, normal.
+/// Orthonormal axes of a triangle: along its first side, across it in the plane, normal.
 Matrix3 axes_of(const SpaceCorners& c) {
   Matrix3 out;
   out.col(0) = (c[1] - c[0]).normalized();
@@ -19,8 +19,8 @@ Matrix3 axes_of(const SpaceCorners& c) {
   return out;
 }
 
-/// The neighbour of a facet in space, turned about the common side by `angle` from the facet's plane, away
-/// from its normal.
+/// Neighbour of a facet in space, rotated about the common side by `angle` from the facet's plane, away from
+/// its normal.
 SpaceCorners turned_neighbour(const SpaceCorners& facet, Index side, const FacetCorners& shape, Index mate,
                               double angle) {
   const Vector3 &a = facet[side], &b = facet[(side + 1) % 3];
@@ -38,7 +38,7 @@ SpaceCorners turned_neighbour(const SpaceCorners& facet, Index side, const Facet
   return out;
 }
 
-/// Where mesh points stand at the end.
+/// Final position of mesh points on the pages.
 class Standing {
  public:
   Standing(const Unfolding& unfolding, double page_distance) : scale_(unfolding.settings.scale) {

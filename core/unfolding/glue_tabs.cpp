@@ -11,13 +11,13 @@ namespace {
 
 constexpr double heights[] = {1, 0.7, 0.45, 0.25};
 
-/// Outside of the side, which the facet has on its left.
+/// Tab outside a side from a to b, which has its facet on the left.
 std::array<Vector2, 4> trapezoid(const Vector2& a, const Vector2& b, double height) {
   const Vector2 along = (b - a).normalized(), outward(along.y(), -along.x());
   return {b, a, a + height * (along + outward), b + height * (outward - along)};
 }
 
-/// The facets and tabs of all pieces, each piece on a sheet of its own.
+/// Occupied space: facets and tabs of all pieces, each piece on a sheet of its own.
 class TabRoom {
  public:
   TabRoom(const FlatLayout& layout, std::size_t joints, double tolerance)
@@ -72,7 +72,7 @@ std::vector<Joint> find_joints(const FacetGraph& graph, const Folds& folds, cons
   double longest = 0;
   for (const FacetCorners& c : layout.corners)
     for (std::size_t k = 0; k < 3; ++k) longest = std::max(longest, (c[(k + 1) % 3] - c[k]).norm());
-  // Stricter than what overlaps in the end, so that moving the piece does not matter.
+  // Stricter than the final overlap test, so that rounding when a piece is moved does not matter.
   TabRoom room(layout, joints.size(), 0.5 * overlap_tolerance * longest);
 
   const auto place = [&](Index j) {

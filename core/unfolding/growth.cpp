@@ -12,7 +12,7 @@ namespace hariko {
 
 namespace {
 
-/// A side of a placed facet over which the piece may grow.
+/// Candidate side of a placed facet over which the piece may grow.
 struct Offer {
   double rank = 0;  ///< lowest first
   std::uint64_t number = 0;

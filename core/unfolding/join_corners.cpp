@@ -12,7 +12,7 @@ namespace hariko {
 
 namespace {
 
-/// One number for each distinct position, in the order of the positions.
+/// Number of each distinct position, for each vertex; numbered in the order of the positions.
 std::vector<Index> place_numbers(const std::vector<Vector3>& positions) {
   std::vector<Index> order(positions.size()), out(positions.size());
   for (Index v = 0; v < order.size(); ++v) order[v] = v;
@@ -29,7 +29,7 @@ std::vector<Index> place_numbers(const std::vector<Vector3>& positions) {
   return out;
 }
 
-/// A side that no other face has, and the places it joins, the lower first.
+/// Side without a second face, with the numbers of its end positions, lower first.
 struct LooseSide {
   std::array<Index, 2> places, vertices;
 };

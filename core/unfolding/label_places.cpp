@@ -14,11 +14,12 @@ namespace hariko {
 
 namespace {
 
-/// Width of digits, in heights of capitals; a little more than the fonts of the writers have.
+/// Width of digits and height of lines, relative to the height of capitals; a little more than in the
+/// writers' fonts.
 constexpr double digit_width = 0.85, line_height = 1.25;
 constexpr double cell = 8;  ///< mm
 
-/// Boxes by the cells of the pages that they touch.
+/// Occupied boxes, hashed by the cells of the pages that they touch.
 class TakenBoxes {
  public:
   bool free(Index page, const std::array<Vector2, 4>& box) const {
@@ -64,7 +65,7 @@ DrawnText placed(const SideLabel& label, double along, double share) {
   DrawnText text;
   text.page = label.page;
   text.height = share * label.height;
-  // Smaller numbers stand nearer to their side.
+  // Smaller numbers are closer to their side.
   text.centre = label.from + along * way + share * label.inset * left;
   text.angle = std::atan2(unit.y(), unit.x());
   text.text = label.text;
@@ -72,7 +73,7 @@ DrawnText placed(const SideLabel& label, double along, double share) {
 }
 
 std::optional<DrawnText> free_place(const SideLabel& label, const TakenBoxes& taken) {
-  // From the middle to both ends by turns.
+  // Tries places from the middle towards both ends, alternating.
   constexpr int steps = 8;
   constexpr double least_share = 1.0 / 3, shrinking = 0.85;
   for (const bool keeps_within : {true, false})

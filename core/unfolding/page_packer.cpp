@@ -16,9 +16,9 @@ namespace hariko {
 namespace {
 
 using std::numbers::pi;
-constexpr std::size_t looked_back = 12;  ///< pages
+constexpr std::size_t looked_back = 12;  ///< pages that are tried before a new one is begun
 
-/// Rows of bits, lowest first.
+/// Bitmap by rows, lowest first.
 struct Bitmap {
   int width = 0, height = 0, words = 0;
   std::vector<std::uint64_t> bits;
@@ -32,16 +32,16 @@ struct Bitmap {
   }
 };
 
-/// The lengths of the longest runs of equal cells in the rows of a bitmap. An item lies nowhere on a page
-/// that has fewer rows with long free runs than the item has rows with covered ones: most pages are passed
-/// over by that alone.
+/// Lengths of the longest runs of equal cells in the rows of a bitmap. An item fits nowhere on a page that
+/// has fewer rows with long free runs than the item has rows with covered runs: this test alone rejects most
+/// pages.
 class RowRuns {
  public:
   RowRuns(const Bitmap& cells, bool covered)
       : covered_(covered), longest_(std::size_t(cells.height)), rows_with_(std::size_t(cells.width) + 2, 0) {
     update(cells, 0, cells.height);
   }
-  /// After the cells of rows from .. to - 1 have changed.
+  /// Updates the runs after cells of the rows from .. to - 1 have changed.
   void update(const Bitmap& cells, int from, int to) {
     for (int y = from; y < to; ++y) longest_[std::size_t(y)] = longest(cells, y);
     std::fill(rows_with_.begin(), rows_with_.end(), 0);
@@ -68,7 +68,7 @@ class RowRuns {
   }
   bool covered_;
   std::vector<int> longest_;
-  std::vector<int> rows_with_;  ///< [n]: number of rows with a run of n cells or more
+  std::vector<int> rows_with_;  ///< [n]: number of rows with a run of at least n cells
 };
 
 struct Page {
@@ -85,17 +85,17 @@ struct ItemBox {
   }
 };
 
-/// An item turned: its cells, and its box when turned about its own origin.
+/// Rotated item: its cells, and its box when rotated about its own origin.
 struct Turned {
   double angle;
-  Vector2 low;  ///< the lower left corner of the box lies half a gap inside of cell (0, 0)
+  Vector2 low;  ///< lower left corner of the box; lies half a gap inside cell (0, 0)
   PaperSize size;
   Bitmap cells;
   RowRuns runs;
-  std::vector<int> rows;  ///< in the order in which they are compared: those with most cells first
+  std::vector<int> rows;  ///< in the order of comparison: rows with most cells first
 };
 
-/// Where the convex polygon lies between two heights; nothing where it does not.
+/// Interval in x of the convex polygon between two heights; nothing where it is empty.
 std::optional<std::pair<double, double>> span_between(const std::vector<Vector2>& polygon, double low,
                                                       double high) {
   double from = 1e300, to = -1e300;
@@ -121,7 +121,7 @@ class Packer {
         options_(options),
         columns_(cell_count(room_.width)),
         rows_(cell_count(room_.height)),
-        // Cells over the room and half a gap all round, so that a box as large as the room fits.
+        // Cells over the room plus half a gap all round, so that a box as large as the room fits.
         cell_((room_.width + options.gap) / columns_, (room_.height + options.gap) / rows_) {
     for (std::size_t k = 0; k < items.size(); ++k) turned_.push_back(turns_of(items[k]));
   }
@@ -150,7 +150,7 @@ class Packer {
     return out;
   }
 
-  /// By covered area, largest first.
+  /// Items by covered area, largest first.
   std::vector<Index> by_size() const {
     std::vector<double> size(items_.size(), 0);
     for (std::size_t k = 0; k < items_.size(); ++k) size[k] = area_of(items_[k]);
@@ -174,7 +174,7 @@ class Packer {
     return sum;
   }
 
-  /// Direction in which the item is longest, by its second moments.
+  /// Direction of the item's greatest extent, by its second moments.
   static double principal_angle(const PackItem& item) {
     Vector2 mean = Vector2::Zero();
     double count = 0, xx = 0, xy = 0, yy = 0;
@@ -245,7 +245,7 @@ class Packer {
     return out;
   }
 
-  /// Every cell that the polygon comes nearer than `reach` to, and some more.
+  /// Marks every cell that the polygon is nearer to than `reach`, and some more.
   void mark(Bitmap& cells, const std::vector<Vector2>& polygon, double reach) const {
     ItemBox box;
     for (const Vector2& p : polygon) box.add(p);
@@ -286,7 +286,7 @@ class Packer {
     on.free.update(page, y, y + item.cells.height);
   }
 
-  /// What a polygon on a page covers is not free.
+  /// Marks the cells of a polygon that is already on a page.
   void block(const SheetPolygon& polygon) {
     while (pages_.size() <= polygon.sheet) pages_.emplace_back(columns_, rows_);
     const double half = options_.gap / 2;
@@ -307,7 +307,7 @@ class Packer {
     int x, y;
   };
 
-  /// The lowest free place, from the left; tops that pass `limit` do not interest.
+  /// Lowest free place, then leftmost, whose top does not exceed `limit`.
   static std::optional<Spot> find_spot(const Page& on, const Turned& item, int limit, Spot from) {
     const Bitmap& page = on.cells;
     const int top = std::min(limit, page.height) - item.cells.height;
@@ -325,14 +325,14 @@ class Packer {
   }
 
   PiecePlacement place(Index item) {
-    // Pages far back have been tried by many others.
+    // Older pages were tried for many items already.
     for (std::size_t page = pages_.size() > looked_back ? pages_.size() - looked_back : 0;; ++page) {
       if (page == pages_.size()) pages_.emplace_back(columns_, rows_);
       const Turned* best = nullptr;
       Spot spot{};
       int best_top = rows_ + 1;
       for (const Turned& turned : turned_[item]) {
-        // Many small equal items: what had no room for one has none for the next.
+        // Among equal small items, a place that had no room for one has none for the next.
         Spot& reached = reached_[std::tuple(page, turned.cells.width, turned.cells.height)];
         const bool remember = !items_[item].turns;
         const auto found = find_spot(pages_[page], turned, best_top - 1, remember ? reached : Spot{0, 0});
@@ -366,10 +366,10 @@ class Packer {
   PaperSize room_;
   PackOptions options_;
   int columns_, rows_;
-  Vector2 cell_;  ///< width and height of one
+  Vector2 cell_;  ///< width and height of a cell
   std::vector<std::vector<Turned>> turned_;
   std::vector<Page> pages_;
-  std::map<std::tuple<std::size_t, int, int>, Spot> reached_;  ///< page and size of a strip
+  std::map<std::tuple<std::size_t, int, int>, Spot> reached_;  ///< by page and size of a strip
 };
 
 }  // namespace
@@ -382,7 +382,7 @@ Packing pack_pages(const std::vector<PackItem>& items, const PackOptions& option
   Packing best = packer.pack(order, cancel);
   RandomSequence random(1);
   for (int k = 1; k < options.tries && best.page_count > 1 && !cancel.cancelled(); ++k) {
-    // Neighbours in the order of size change places, now and then far ones.
+    // Perturbs the order of size: neighbours change places, now and then distant ones.
     std::vector<double> rank(order.size());
     for (std::size_t i = 0; i < rank.size(); ++i)
       rank[i] = double(i) + (0.1 + 0.1 * (k % 4)) * double(rank.size()) * random.unit();

@@ -1,6 +1,6 @@
 #pragma once
 
-// Packing pieces on pages: bitmaps of what they cover, many turns, first free place from the lower left
+// Packing of pieces on pages: bitmaps of covered cells, many rotations, first free place from the lower left
 // (unfolding.md, "Tabs, strips, pages").
 
 #include <cstdint>
@@ -13,28 +13,32 @@
 
 namespace hariko {
 
-/// Convex polygons that move together. Their `sheet` does not matter.
+/// Convex polygons that move together. Their `sheet` is ignored.
 struct PackItem {
   std::vector<SheetPolygon> polygons;
-  bool turns = true;  ///< otherwise two turns only, along the page and across
+  bool turns = true;  ///< false: only two rotations, along the page and across
 };
 
+/// Result of packing.
 struct Packing {
   std::vector<PiecePlacement> placements;  ///< one for each item
   Index page_count = 0;
-  std::vector<Index> too_large;  ///< items that no turn puts between the margins; each on a page of its own
+  /// Items that fit between the margins in no rotation; each is on a page of its own.
+  std::vector<Index> too_large;
 };
 
+/// Page and effort of packing.
 struct PackOptions {
   PaperSize page;
   double margin = 0, gap = 0;  ///< mm
-  int tries = 1;               ///< orders of the items; the fewest pages win
-  /// What lies on the pages already; `sheet` is the page.
+  int tries = 1;               ///< number of orders of the items that are tried; the fewest pages win
+  /// Polygons that are on the pages already; `sheet` is the page.
   std::vector<SheetPolygon> occupied = {};
 };
 
-/// Conservative: two items are never nearer than the gap, and nothing passes the margins. A function of the
-/// arguments alone. Cells of about 1/180 of the page's longer side. Where cancelled the result means nothing.
+/// Packs items on pages. Conservative: two items are never nearer than the gap, and nothing extends beyond
+/// the margins. Deterministic: depends on the arguments alone. Cells are about 1/180 of the page's longer
+/// side. The result is of no use where cancelled.
 Packing pack_pages(const std::vector<PackItem>& items, const PackOptions& options,
                    const CancelToken& cancel = {});
 

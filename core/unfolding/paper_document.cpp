@@ -21,10 +21,11 @@ PiecePlacement placement_of(const PaperPlace& place) {
   return {place.page, place.angle, {place.x, place.y}};
 }
 
-/// The first facet of a piece, and a few more: pieces keep their places when some facets are gone.
+/// Number of stored facets a piece: the first one and a few more, so that a piece keeps its place when some
+/// facets vanish.
 constexpr std::size_t anchors_a_piece = 4;
 
-/// What a layout has, in numbers of the kept vertices.
+/// Stores a layout by the numbers of the stored vertices.
 class Keeper {
  public:
   Keeper(const Unfolding& unfolding, std::span<const PaperVertex> names, const PaperModel& before)
@@ -114,10 +115,10 @@ class Keeper {
   const Unfolding& u_;
   const FacetGraph& graph_;
   PaperModel out_;
-  std::vector<Index> number_;  ///< of each vertex of the mesh among the kept ones
+  std::vector<Index> number_;  ///< number among the stored vertices, by vertex of the mesh
 };
 
-/// The kept vertices on a mesh.
+/// Finds the stored vertices, edges and facets on a mesh.
 class Finder {
  public:
   Finder(const PaperModel& paper, const FacetGraph& graph, std::span<const PaperVertex> names)
@@ -135,9 +136,9 @@ class Finder {
       if (twice[at]) vertex_[at] = no_index;
   }
 
-  /// The vertex of the mesh; no_index when it is gone.
+  /// Vertex of the mesh; no_index where it no longer exists.
   Index vertex(std::uint32_t kept) const { return vertex_[kept]; }
-  /// The edge between two facets; no_index when it is gone or a border now.
+  /// Edge between two facets; no_index where it no longer exists or is a border now.
   Index edge(const PaperEdge& kept) const {
     const Index a = vertex(kept[0]), b = vertex(kept[1]);
     if (a == no_index || b == no_index) return no_index;
@@ -155,7 +156,7 @@ class Finder {
   std::vector<Index> vertex_;
 };
 
-/// What was folded stays folded, unless changed facets would close a ring, and what was cut stays cut.
+/// Rules that keep folds folded, unless changed facets would close a ring, and cuts cut.
 EdgeRules rules_of(const PaperModel& paper, const FacetGraph& graph, const Finder& finder) {
   EdgeRules rules(graph.edge_count(), EdgeRule::free);
   finder.for_each(paper.cuts, [&](Index e) { rules[e] = EdgeRule::cut; });
@@ -199,14 +200,15 @@ std::vector<TabChoice> tabs_of(const PaperModel& paper, const FacetGraph& graph,
   return out;
 }
 
-/// A kept place of a facet: its corners in kept order, by number of the corner in the mesh.
+/// Stored place of a facet, whose corners are stored in order; `first_corner` is the mesh's corner that is
+/// stored first.
 struct Anchor {
   Index first_corner = 0;
   PiecePlacement place;
 };
 
 KnownPlaces places_of(const PaperModel& paper, const FacetGraph& graph, const Finder& finder) {
-  std::map<std::array<Index, 3>, std::size_t> kept;  // corners, the lowest first
+  std::map<std::array<Index, 3>, std::size_t> kept;  // by corners, the lowest first
   const auto turned = [](std::array<Index, 3> corners) {
     std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
     return corners;
@@ -240,7 +242,7 @@ KnownPlaces places_of(const PaperModel& paper, const FacetGraph& graph, const Fi
     const Anchor& anchor = found->second;
     const FacetCorners& shape = (*shapes)[facet];
     if (anchor.first_corner == 0 && in_piece == shape) return anchor.place;  // the root, bit for bit
-    // The frame of the kept order of corners: the first at the origin, the second on the x axis.
+    // Frame of the stored order of corners: the first at the origin, the second on the x axis.
     const Index a = anchor.first_corner, b = (a + 1) % 3;
     const Vector2 along = shape[b] - shape[a];
     const PiecePlacement to_frame{0, -std::atan2(along.y(), along.x()), Vector2::Zero()};

@@ -1,6 +1,6 @@
 #pragma once
 
-// Between a paper model as the document keeps it and its layout on a mesh.
+// Conversion between a paper model as the document stores it and its layout on a mesh.
 
 #include <span>
 
@@ -9,23 +9,23 @@
 
 namespace hariko {
 
-/// What of a layout the designer's document keeps. `names` has one for each vertex of the mesh; vertices that
-/// share a name have none. Objects, tolerances, goal and unknown members are those of `before`.
+/// Paper model to be stored for a layout. `names` has one name for each vertex of the mesh; vertices with
+/// equal names are not stored. Objects, tolerances, goal and unknown members are copied from `before`.
 /// O(facets log facets).
 PaperModel kept_of(const Unfolding& unfolding, std::span<const PaperVertex> names, const PaperModel& before);
 
-/// The layout of a paper model on a mesh, which may have changed since: edges that are still there are folded
-/// and cut as they were, flat faces are whole, and facets that are still there lie where they lay. Facets
-/// that are new are joined to what is there where that overlaps nothing, and what has no place is packed. A
-/// layout that was kept on the same mesh comes back: folds and corners bit for bit. Errors: those of
-/// `check_settings`. O(facets log facets).
+/// Layout of a stored paper model on a mesh that may have changed since. Edges that still exist are folded
+/// and cut as before, flat faces stay whole, and facets that still exist keep their places. New facets are
+/// joined to existing ones where that overlaps nothing, and pieces without a place are packed. On the same
+/// mesh a layout is restored exactly: folds, and corners bit for bit. Errors: those of `check_settings`.
+/// O(facets log facets).
 Result<Unfolding> restored(const PaperModel& paper, std::shared_ptr<const FacetGraph> graph,
                            std::span<const PaperVertex> names);
 
-/// The designer's cuts and folds that are still there, for a new search.
+/// Designer's cuts and folds that still exist, for a new search.
 EdgeRules wishes_on(const PaperModel& paper, const FacetGraph& graph, std::span<const PaperVertex> names);
 
-/// Names for a mesh that stands for itself: vertex by number.
+/// Names for a mesh that stands for itself: the numbers of its vertices.
 std::vector<PaperVertex> plain_names(const FacetGraph& graph);
 
 }  // namespace hariko

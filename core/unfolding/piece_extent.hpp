@@ -1,7 +1,7 @@
 #pragma once
 
-// PieceExtent: how much room a set of points takes in each of 18 directions, to tell whether a piece fits on
-// a page when it is turned.
+// PieceExtent: widths of a set of points in 18 directions, to test whether a piece fits on a page in some
+// rotation.
 
 #include <array>
 #include <limits>
@@ -12,11 +12,14 @@
 
 namespace hariko {
 
+/// Support interval of a set of points in each of the directions.
 class PieceExtent {
  public:
   static constexpr std::size_t directions = 18;  ///< every 10 degrees of a half turn
 
+  /// Extends the intervals by a facet.
   void add(const FacetCorners& corners);
+  /// Whether the points fit the room in one of the directions.
   bool fits(const PaperSize& room) const;
 
  private:

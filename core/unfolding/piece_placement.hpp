@@ -1,6 +1,6 @@
 #pragma once
 
-// PiecePlacement: where a piece lies, as a rotation and a shift on one of the pages.
+// PiecePlacement: position of a piece on a page, as a rotation and a translation.
 
 #include <cmath>
 
@@ -8,8 +8,8 @@
 
 namespace hariko {
 
-/// A point p of the piece's own frame lies at R(angle) p + offset on the page: mm, x to the right, y up from
-/// the lower left corner. Angles in radians, counter-clockwise.
+/// Rigid motion from a piece's own frame to a page: p becomes R(angle) p + offset, in mm, x to the right, y
+/// up from the lower left corner. Angles in radians, counter-clockwise.
 struct PiecePlacement {
   Index page = 0;
   double angle = 0;
@@ -28,7 +28,7 @@ struct PiecePlacement {
                 s * points[k].x() + c * points[k].y() + offset.y()};
     return out;
   }
-  /// The same, turned by `turn` round a point of the page.
+  /// Same placement, rotated by `turn` about a point of the page.
   PiecePlacement turned(double turn, const Vector2& centre) const {
     const PiecePlacement rotation{page, turn, Vector2::Zero()};
     return {page, angle + turn, rotation.apply(Vector2(offset - centre)) + centre};
@@ -36,7 +36,7 @@ struct PiecePlacement {
   friend bool operator==(const PiecePlacement&, const PiecePlacement&) = default;
 };
 
-/// The placement that takes one triangle to another one of the same shape (up to rounding).
+/// Placement that takes one triangle to another of the same shape (up to rounding).
 inline PiecePlacement placement_between(const FacetCorners& from, const FacetCorners& to, Index page) {
   std::size_t side = 0;
   for (std::size_t k = 1; k < 3; ++k)

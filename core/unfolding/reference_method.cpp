@@ -28,8 +28,8 @@ Index corner_of(const FacetGraph& graph, Index facet, Index vertex) {
   return static_cast<Index>(std::find(vertices.begin(), vertices.end(), vertex) - vertices.begin());
 }
 
-/// Sum of the angles at the vertex, going from one facet to the next away from `edge` until a cut, a border,
-/// or all round.
+/// Sum of the angles at a vertex, from one facet to the next away from `edge`, up to a cut or a border, or
+/// all round.
 double fan_angle(const FacetGraph& graph, const std::vector<std::uint8_t>* cuts, Index facet, Index edge,
                  Index vertex) {
   double sum = 0;
@@ -51,8 +51,8 @@ std::vector<SheetPolygon> sheet_of(const FlatLayout& layout) {
   return out;
 }
 
-/// The initial cut to give up: of the facets that overlap, in their order, the first cut between two facets;
-/// those that the rule for tips speaks against come first.
+/// Initial cut to undo: the first cut between two facets, in the order of the overlapping facets; cuts that
+/// the tip rule rejects have priority.
 std::optional<Index> cut_to_rejoin(const FacetGraph& graph, const std::vector<std::uint8_t>& cuts,
                                    const std::vector<std::pair<Index, Index>>& pairs) {
   std::optional<Index> first;
@@ -103,7 +103,7 @@ Folds unfold_over(const FacetGraph& graph, const std::vector<std::uint8_t>& cuts
   for (Index root = 0; root < graph.facet_count(); ++root) {
     if (placed[root]) continue;
     queue.clear();
-    // With the rest of its flat face.
+    // Places the rest of the flat face too.
     const auto place = [&](Index facet) {
       std::size_t next = queue.size();
       placed[facet] = 1;

@@ -13,7 +13,7 @@ namespace {
 
 using std::numbers::pi;
 
-/// Text that is never upside down.
+/// Angle of a text, turned so that it is never upside down.
 double upright(double angle) {
   angle = std::remainder(angle, 2 * pi);
   if (angle > pi / 2 + 1e-9) angle -= pi;
@@ -75,7 +75,7 @@ class Draftsman {
     return {u_.corners[facet].begin(), u_.corners[facet].end()};
   }
 
-  /// Whole where its facets lie together, else facet by facet.
+  /// Draws a face whole where its facets lie together, otherwise facet by facet.
   void face(Index f) {
     bool whole = true;
     const Index begin = graph_.first_facet(f), end = graph_.first_facet(f + 1);
@@ -139,7 +139,7 @@ class Draftsman {
     return out;
   }
 
-  /// The one of several strips in a row that has their number, in the middle.
+  /// Whether a joint carries the number of its run of strips: the middle one does.
   bool has_number(Index j) const {
     if (u_.run_of[j] == no_index) return true;
     const auto& joints = u_.strip_runs[u_.run_of[j]].joints;
@@ -149,7 +149,7 @@ class Draftsman {
   double number_length(Index j) const {
     return u_.run_of[j] == no_index ? length_of(j) : u_.strip_runs[u_.run_of[j]].length;
   }
-  /// From the middle of a strip to that of its run, where the whole run lies end to end.
+  /// Distance from the centre of a strip to that of its run; 0 unless the whole run lies end to end.
   double to_middle(Index j) const {
     const StripRun& run = u_.strip_runs[u_.run_of[j]];
     double before = 0;
@@ -172,7 +172,7 @@ class Draftsman {
         tab(joint, at);
       else
         line(SheetLayer::cut, at.page, at.from, at.to);
-      // In a flat triangle the number stands where it is still wide.
+      // In a flat triangle the number is placed where it is still wide.
       const double inset = std::min(0.9 * height, 0.33 * depth(at));
       if (labelled) label(at, inset, height, number, polygon_of(at.facet));
       if (labelled && has_tab) {
@@ -225,7 +225,7 @@ class Draftsman {
     text(u_.page_of(largest), centre, 0, std::clamp(0.5 * radius, 0.8, 6.0), piece_name(p));
   }
 
-  /// What helps whoever holds the page.
+  /// Draws the marks, the page number and the scale bar of a page.
   void furnish(Index page) {
     const PaperSettings& s = u_.settings;
     if (s.margin < 4) return;

@@ -1,6 +1,6 @@
 #pragma once
 
-// All overlaps among convex polygons that lie on sheets.
+// Detection of all overlaps among convex polygons on sheets.
 
 #include <array>
 #include <cstdint>
@@ -13,7 +13,7 @@
 
 namespace hariko {
 
-/// A convex polygon of three or four corners, counter-clockwise, on one of the sheets.
+/// Convex polygon with three or four corners, counter-clockwise, on one of the sheets.
 struct SheetPolygon {
   std::array<Vector2, 4> corners;
   std::uint8_t size = 3;
@@ -26,7 +26,7 @@ struct SheetPolygon {
 };
 
 /// Pairs (first < second) of polygons on the same sheet that overlap by more than `tolerance` (`overlaps`),
-/// ascending. Sweep along x: O(n log n + pairs that meet in x).
+/// ascending. Sweep along x: O(n log n + pairs whose x ranges meet).
 std::vector<std::pair<Index, Index>> overlapping_pairs(std::span<const SheetPolygon> polygons,
                                                        double tolerance);
 

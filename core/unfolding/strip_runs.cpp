@@ -8,10 +8,10 @@ namespace hariko {
 
 namespace {
 
-/// How far sides may be off the straight line of their strip, in widths of it.
+/// Largest distance of sides from the straight line of their strip, in strip widths.
 constexpr double most_off = 0.125;
 
-/// A side of a joint on its piece, which it has on the left.
+/// Side of a joint on its piece, which lies on its left.
 struct JointSide {
   Index joint = no_index;
   std::size_t which = 0;
@@ -48,15 +48,15 @@ class Runs {
 
  private:
   using Key = std::tuple<Index, double, double>;
-  using Place = std::pair<Index, std::size_t>;  ///< joint, and which of its sides
+  using Place = std::pair<Index, std::size_t>;  ///< joint, and number of its side
   static Key key(Index piece, const Vector2& p) { return {piece, p.x(), p.y()}; }
 
-  /// First to the one end, then from the joint on to the other.
+  /// Grows a run from a joint to one end, then to the other.
   StripRun run_of(Index first, std::vector<char>& taken) {
     std::vector<Place> run{{first, 0}};
     taken[first] = 1;
     grow(run, taken);
-    // The other way round: the second side leads now.
+    // Reverses the run: the second side leads now.
     std::reverse(run.begin(), run.end());
     for (Place& place : run) place.second = 1 - place.second;
     grow(run, taken);
@@ -70,7 +70,7 @@ class Runs {
   }
 
   /// Appends joints whose leading side begins where that of the last one ends, and whose other side ends
-  /// where its other side begins.
+  /// where that one's other side begins.
   void grow(std::vector<Place>& run, std::vector<char>& taken) const {
     for (;;) {
       const auto [last, leading] = run.back();

@@ -15,7 +15,7 @@ namespace hariko {
 
 namespace {
 
-/// The rectangle in its own frame.
+/// Rectangle of a strip in its own frame.
 std::array<Vector2, 4> strip_shape(double length, double width) {
   return {Vector2(0, -width / 2), Vector2(length, -width / 2), Vector2(length, width / 2),
           Vector2(0, width / 2)};
@@ -36,7 +36,7 @@ std::vector<StripRun> runs_of(const FacetGraph& graph, const FlatLayout& layout,
   return strip_runs(graph, layout, joints, settings, std::max(room.width, room.height));
 }
 
-/// The strips of a run end to end.
+/// Places the strips of a run end to end.
 void lay_run(const StripRun& run, const PiecePlacement& place, Unfolding& out) {
   double x = 0;
   for (const Index j : run.joints) {
@@ -46,7 +46,7 @@ void lay_run(const StripRun& run, const PiecePlacement& place, Unfolding& out) {
   }
 }
 
-/// Pieces with their tabs, then runs of strips.
+/// Items to pack: pieces with their tabs, then runs of strips.
 std::vector<PackItem> pack_items(const PaperSettings& settings, const FlatLayout& layout,
                                  const std::vector<Joint>& joints, const std::vector<StripRun>& runs) {
   std::vector<PackItem> items(layout.pieces.size());
@@ -64,8 +64,8 @@ PackOptions pack_options(const PaperSettings& settings, std::size_t pieces) {
   return out;
 }
 
-/// Puts strips where they are known to lie, and tells of each. Gives those that lie nowhere: whole runs, or
-/// single ones of a run of which others lie somewhere.
+/// Places the strips whose place is known and calls `tell` for each. Returns those without a place: whole
+/// runs, or single strips of runs that are partly placed.
 template <class Tell>
 std::vector<StripRun> keep_strips(Unfolding& out, const KnownPlaces& known, Tell&& tell) {
   std::vector<StripRun> loose;
@@ -85,11 +85,11 @@ std::vector<StripRun> keep_strips(Unfolding& out, const KnownPlaces& known, Tell
   return loose;
 }
 
-/// Known places; the others are packed where there is room.
+/// Keeps known places and packs the other pieces where there is room.
 void keep_places(Unfolding& out, const FlatLayout& layout, const KnownPlaces& known) {
   std::vector<char> placed(out.pieces.size(), 0);
   for (std::size_t p = 0; p < out.pieces.size(); ++p) {
-    // The facet that is nearest to the root leads.
+    // The placed facet nearest to the root determines the place.
     for (const Index facet : out.pieces[p].facets) {
       const auto place = known.piece(facet, layout.corners[facet]);
       if (!place) continue;
@@ -144,7 +144,7 @@ void pack_everything(Unfolding& out, const FlatLayout& layout, const CancelToken
   for (const StripRun& run : out.strip_runs) lay_run(run, packing.placements[next++], out);
 }
 
-/// Everything that follows from the placements.
+/// Computes everything that follows from the placements.
 void move_to_pages(Unfolding& out, const FlatLayout& layout) {
   out.corners.resize(layout.corners.size());
   for (Index f = 0; f < out.corners.size(); ++f)
@@ -183,7 +183,7 @@ Candidate judged(const FacetGraph& graph, const PaperSettings& settings,
   return out;
 }
 
-/// Lowest is best.
+/// Score of a candidate for a goal; the lowest is best.
 std::array<double, 3> score(const Candidate& candidate, CutGoal goal) {
   const double pieces = double(candidate.pieces), strips = double(candidate.strips);
   switch (goal) {
@@ -212,7 +212,7 @@ Folds best_candidate(const FacetGraph& graph, const PaperSettings& settings,
   return best->folds;
 }
 
-/// How the facets of a piece fit the page.
+/// Best rotation of a piece's facets on the page.
 BestTurn best_fit(const Unfolding& unfolding, const PaperPiece& piece) {
   std::vector<Vector2> points;
   for (const Index facet : piece.facets)
@@ -228,7 +228,8 @@ std::string rounded(double value, int decimals) {
   return out;
 }
 
-/// Pieces marked in `off` that no turn puts on the page; those that were only moved off it are fine.
+/// Reports pieces marked in `off` that fit the page in no rotation; pieces that were only moved off the page
+/// are not reported.
 void report_too_large(const Unfolding& unfolding, const std::vector<char>& off, std::vector<Message>& out) {
   constexpr std::size_t limit = 20;
   std::vector<std::pair<Index, BestTurn>> large;
@@ -250,7 +251,7 @@ void report_too_large(const Unfolding& unfolding, const std::vector<char>& off, 
     });
 }
 
-/// How long the finished model is, mm.
+/// Longest extent of the finished model, mm.
 double largest_extent(const Unfolding& unfolding) {
   const FacetGraph& graph = *unfolding.graph;
   Vector3 low = Vector3::Constant(1e300), high = -low;
@@ -389,7 +390,8 @@ Result<Unfolding> unfold(std::shared_ptr<const FacetGraph> graph, const PaperSet
     if (!found.ok()) return found.error();
     folds = std::move(found).value().folds;
   } else {
-    // A little less, so that the packer, which turns pieces in its own steps, finds a turn that fits.
+    // Slightly smaller than the page's room, so that the packer, which has its own steps of rotation, finds
+    // one that fits.
     const PaperSize room{settings.piece_room().width - 0.2, settings.piece_room().height - 0.2};
     const EdgeRules rules =
         settled_rules(*graph, shapes, options.wishes, settings.merge_angle.value_or(-1), room);

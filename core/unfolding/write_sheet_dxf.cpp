@@ -29,7 +29,7 @@ class DxfWriter {
       number(40, text.height);
       pair(1, text.text);
       number(50, text.angle * 180 / std::numbers::pi);
-      pair(72, "1");  // centred, and its middle at the second point
+      pair(72, "1");  // centred at the second point
       point(11, text.page, text.centre);
       pair(73, "2");
     }

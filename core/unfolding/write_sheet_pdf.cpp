@@ -10,7 +10,7 @@ namespace {
 
 constexpr double points_per_mm = 72 / 25.4;
 
-/// Advance of a character of Helvetica for a font size of 1; those that drawings use, and a mean for others.
+/// Advance width of a character of Helvetica at font size 1; a mean for characters that drawings do not use.
 double advance(char c) {
   constexpr int capitals[] = {667, 667, 722, 722, 667, 611, 778, 722, 278, 500, 667, 556, 833,
                               722, 778, 667, 778, 722, 667, 611, 722, 667, 944, 667, 667, 611};
@@ -27,7 +27,7 @@ void append_fixed(std::string& out, double value) {
   out += ' ';
 }
 
-/// How a layer is drawn.
+/// Pen of a layer.
 struct Pen {
   const char* colour;
   double width;  ///< mm
@@ -89,10 +89,10 @@ std::string page_content(const SheetDrawing& drawing, Index page) {
   return out + "ET\n";
 }
 
-/// Collects numbered objects and writes them with their table of places.
+/// Collects numbered PDF objects and writes them with their cross-reference table.
 class PdfFile {
  public:
-  /// The number of the next object.
+  /// Number of the next object.
   std::size_t next() const { return objects_.size() + 1; }
   std::size_t add(std::string body) {
     objects_.push_back(std::move(body));

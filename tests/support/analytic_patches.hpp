@@ -1,7 +1,6 @@
 #pragma once
 
-// Surfaces with known shape, patch by patch given by formulas: to check what consumers compute from a
-// Surface.
+// Surfaces of known shape, given by a formula for each patch, to check computations on a Surface.
 
 #include <Eigen/Geometry>
 #include <cmath>
@@ -16,8 +15,9 @@
 
 namespace hariko::test {
 
-using PatchFormula = std::function<PatchPoint(double s, double t)>;  ///< with both orders of derivatives
+using PatchFormula = std::function<PatchPoint(double s, double t)>;  ///< gives first and second derivatives
 
+/// Patches given by formulas.
 class AnalyticPatchSet final : public PatchSet {
  public:
   AnalyticPatchSet(Domain domain, std::vector<PatchFormula> formulas)
@@ -57,6 +57,7 @@ class AnalyticPatchSet final : public PatchSet {
   std::vector<PatchFormula> formulas_;
 };
 
+/// Adjacency and normals of an analytic surface.
 struct AnalyticOptions {
   Continuity continuity = Continuity::g1;
   std::vector<Vector3> node_normals;  ///< zero vectors when empty
@@ -65,7 +66,8 @@ struct AnalyticOptions {
   bool source_edges = false;  ///< seams lie on source edges named by their nodes, instead of inside elements
 };
 
-/// Sides of different patches between the same two nodes, run in opposite directions, become seams.
+/// Surface of patches whose corners are given as nodes, patch by patch. Sides of different patches between
+/// the same two nodes, run in opposite directions, become seams.
 inline Surface make_surface(Domain domain, std::vector<PatchFormula> formulas,
                             std::vector<Index> corner_nodes, const AnalyticOptions& options = {}) {
   const auto corners = static_cast<Index>(corner_count(domain));
@@ -107,7 +109,7 @@ inline Surface make_surface(Domain domain, std::vector<PatchFormula> formulas,
   return Surface(std::move(parts));
 }
 
-/// The part of a sphere over a flat triangle a, b, c, seen from the centre.
+/// Part of a sphere about the origin over a flat triangle a, b, c, projected from the centre.
 inline PatchFormula sphere_patch(const Vector3& a, const Vector3& b, const Vector3& c, double radius) {
   return [=](double s, double t) {
     const Vector3 ps = b - a, pt = c - a, p = a + s * ps + t * pt;
@@ -127,7 +129,7 @@ inline PatchFormula sphere_patch(const Vector3& a, const Vector3& b, const Vecto
   };
 }
 
-/// Eight octants; nodes 0 .. 5 are +x, -x, +y, -y, +z, -z.
+/// Sphere of eight octants; nodes 0 .. 5 are +x, -x, +y, -y, +z, -z.
 inline Surface sphere(double radius, const AnalyticOptions& options = {}) {
   const Vector3 at[6] = {Vector3::UnitX(),  -Vector3::UnitX(), Vector3::UnitY(),
                          -Vector3::UnitY(), Vector3::UnitZ(),  -Vector3::UnitZ()};
@@ -140,7 +142,7 @@ inline Surface sphere(double radius, const AnalyticOptions& options = {}) {
   return make_surface(Domain::triangle, std::move(formulas), nodes, own);
 }
 
-/// rows x columns squares (both >= 3) round the z axis; outward normals.
+/// Torus of rows x columns squares (both >= 3) round the z axis; outward normals.
 inline Surface torus(double large, double small, Index columns, Index rows,
                      const AnalyticOptions& options = {}) {
   std::vector<PatchFormula> formulas;
@@ -168,8 +170,9 @@ inline Surface torus(double large, double small, Index columns, Index rows,
   return make_surface(Domain::square, std::move(formulas), nodes, options);
 }
 
-using Height = std::function<std::array<double, 6>(double x, double y)>;  ///< z, zx, zy, zxx, zxy, zyy
+using Height = std::function<std::array<double, 6>(double x, double y)>;  ///< gives z, zx, zy, zxx, zxy, zyy
 
+/// Patch of a height field over the rectangle from (x0, y0) with sides dx, dy.
 inline PatchFormula height_patch(const Height& height, double x0, double y0, double dx, double dy) {
   return [=](double s, double t) {
     const double x = x0 + s * dx, y = y0 + t * dy;
@@ -185,8 +188,8 @@ inline PatchFormula height_patch(const Height& height, double x0, double y0, dou
   };
 }
 
-/// columns x rows unit squares from (0, 0), patch i of row j at j * columns + i, each with its own height
-/// field.
+/// Height field of columns x rows unit squares from (0, 0), patch i of row j at j * columns + i, each with
+/// its own height function.
 inline Surface height_field(Index columns, Index rows, const std::function<Height(Index i, Index j)>& height,
                             const AnalyticOptions& options = {}) {
   std::vector<PatchFormula> formulas;
@@ -200,15 +203,17 @@ inline Surface height_field(Index columns, Index rows, const std::function<Heigh
   return make_surface(Domain::square, std::move(formulas), nodes, options);
 }
 
+/// Hyperbolic paraboloid z = x y.
 inline Height saddle() {
   return [](double x, double y) { return std::array<double, 6>{x * y, y, x, 0, 1, 0}; };
 }
+/// Plane z = offset + slope_x x + slope_y y.
 inline Height plane(double slope_x = 0, double slope_y = 0, double offset = 0) {
   return [=](double x, double y) {
     return std::array<double, 6>{offset + slope_x * x + slope_y * y, slope_x, slope_y, 0, 0, 0};
   };
 }
-/// A cylinder of this radius along y, with its lowest line at x = 0.
+/// Cylinder of this radius along y, with its lowest line at x = 0.
 inline Height trough(double radius) {
   return [=](double x, double) {
     const double h = std::sqrt(radius * radius - x * x);

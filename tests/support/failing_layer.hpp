@@ -1,6 +1,6 @@
 #pragma once
 
-// FailingLayer: a file layer of which one call, or every call from one on, fails.
+// FailingLayer: a file layer that fails at a given call, or at every call from it on.
 
 #include <algorithm>
 #include <cerrno>
@@ -10,9 +10,9 @@
 
 namespace hariko::test {
 
-/// Does what the system does until call number `failing` (from 0), which fails with `error_number`. Writes
-/// are cut into pieces, so that a failure may come in the middle. When `dead`, every later call fails too:
-/// what a crash or a pulled disk leaves behind.
+/// Passes calls on to the system until call number `failing` (from 0), which fails with `error_number`.
+/// Writes are cut into pieces, so that a failure may come in the middle. With `dead` every later call fails
+/// too, which leaves the disk as after a crash or the removal of a drive.
 class FailingLayer final : public FileLayer {
  public:
   FailingLayer(int failing, int error_number, bool dead = false, std::size_t piece = 7)
@@ -31,7 +31,7 @@ class FailingLayer final : public FileLayer {
   }
   int sync(int descriptor) override { return fails() ? -error_ : system_.sync(descriptor); }
   int close(int descriptor) override {
-    const int result = system_.close(descriptor);  // a failing close has closed nevertheless
+    const int result = system_.close(descriptor);  // a failing close closes nevertheless
     return fails() ? -error_ : result;
   }
   int rename(const std::string& from, const std::string& to) override {

@@ -1,6 +1,6 @@
 #pragma once
 
-// Reading of the reference files in tests/golden, on its own: it shares no code with the program's readers.
+// Independent reader of the reference files in tests/golden: it shares no code with the program's readers.
 
 #include <gtest/gtest.h>
 
@@ -16,17 +16,19 @@
 
 namespace hariko::test {
 
+/// Path of a reference file.
 inline std::string golden_path(const std::string& name) {
   return test::source_folder() + "/tests/golden/" + name;
 }
 
+/// JSON of a reference file; a missing file fails the test.
 inline nlohmann::json golden_json(const std::string& name) {
   std::ifstream file(golden_path(name));
   if (!file) ADD_FAILURE() << "missing " << name;
   return nlohmann::json::parse(file);
 }
 
-/// Plain "v" and "f" lines.
+/// Reads an OBJ file with plain "v" and "f" lines.
 inline PolygonMesh golden_obj(const std::string& name) {
   std::ifstream file(golden_path(name));
   if (!file) ADD_FAILURE() << "missing " << name;
@@ -49,12 +51,14 @@ inline PolygonMesh golden_obj(const std::string& name) {
   return mesh;
 }
 
+/// Edge by its key "a-b".
 inline EdgeId golden_edge(const std::string& key) {
   const std::size_t dash = key.find('-');
   return EdgeId::of({static_cast<std::uint32_t>(std::stoul(key.substr(0, dash)))},
                     {static_cast<std::uint32_t>(std::stoul(key.substr(dash + 1)))});
 }
 
+/// Shaping from a tension file.
 inline Shaping golden_tension(const std::string& name) {
   const nlohmann::json json = golden_json(name);
   Shaping shaping;
@@ -69,16 +73,18 @@ inline Shaping golden_tension(const std::string& name) {
   return shaping;
 }
 
+/// Mode by its name in file names.
 inline Mode golden_mode(const std::string& name) {
   return name == "paper" ? Mode::paper : name == "target" ? Mode::target : Mode::fair;
 }
 
-/// One reference case: file stem, polyhedron, tension file (may be empty).
+/// Reference case: file stem, polyhedron, tension file (may be empty).
 struct GoldenCase {
   std::string stem, obj, tension;
   friend void PrintTo(const GoldenCase& c, std::ostream* out) { *out << c.stem; }
 };
 
+/// All reference cases.
 inline std::vector<GoldenCase> golden_cases() {
   std::vector<GoldenCase> cases;
   for (const char* model : {"cube", "octahedron", "grid3", "fig2", "fig2_open", "prism6"})
@@ -92,6 +98,7 @@ inline std::vector<GoldenCase> golden_cases() {
   return cases;
 }
 
+/// Input of a surface from reference files.
 inline PolyhedronSurfaceInput golden_input(const std::string& obj, Mode mode,
                                            const std::string& tension = {}) {
   PolyhedronSurfaceInput input{Polyhedron::build(golden_obj(obj)).value(), {}, mode, Vector3::Zero()};

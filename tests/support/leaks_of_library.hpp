@@ -1,5 +1,7 @@
 #pragma once
 
+// LeaksOfLibrary: exemption of foreign libraries from the leak checker.
+
 #include "core/base/sanitizer.hpp"
 
 #ifdef HARIKO_ADDRESS_SANITIZER
@@ -8,7 +10,7 @@
 
 namespace hariko::test {
 
-/// As long as it lives, what a foreign library allocates may be left behind: the leak checker looks away.
+/// Disables the leak checker during its life, for a foreign library that never frees its memory.
 class LeaksOfLibrary {
  public:
 #ifdef HARIKO_ADDRESS_SANITIZER

@@ -1,6 +1,6 @@
 #pragma once
 
-// Files that something went wrong with on the way.
+// Damaged files for robustness tests.
 
 #include <algorithm>
 #include <string>
@@ -9,8 +9,8 @@
 
 namespace hariko::test {
 
-/// One of the things that happen to files: bytes and bits change, parts are lost, come twice or change
-/// places, numbers grow.
+/// Copy with one to four random faults: changed bytes and bits, deleted or duplicated parts, truncation,
+/// enlarged numbers.
 inline std::string mutated(std::mt19937_64& rng, std::string bytes) {
   for (int k = uniform_int(rng, 1, 4); k > 0 && !bytes.empty(); --k) {
     const auto at = [&] { return std::size_t(rng() % bytes.size()); };

@@ -1,6 +1,6 @@
 #pragma once
 
-// Random polyhedra with a border, and sides of bicubic patches that fit their border edges.
+// Random polyhedra with borders, and sides of bicubic patches that fit their border edges.
 
 #include <Eigen/Geometry>
 #include <cmath>
@@ -14,6 +14,7 @@
 
 namespace hariko::test {
 
+/// Polyhedron with joins to patches along its border.
 struct JoinCase {
   Polyhedron polyhedron;
   Shaping shaping;
@@ -24,6 +25,7 @@ struct JoinCase {
   }
 };
 
+/// Random mesh with a border.
 inline PolygonMesh random_open_mesh(std::mt19937_64& rng) {
   switch (uniform_int(rng, 0, 3)) {
     case 0:
@@ -46,15 +48,16 @@ inline PolygonMesh random_open_mesh(std::mt19937_64& rng) {
   }
 }
 
-/// Plane and tangents of the sides at a border vertex.
+/// Tangent plane and tangents of the patches' sides at a border vertex.
 struct BorderVertex {
-  Vector3 normal, out, in;  ///< tangents leave the vertex along the border, forwards and backwards
-  Vector3 across;           ///< of both sides where they are one smooth curve
+  Vector3 normal, out, in;  ///< tangents from the vertex along the border, forwards and backwards
+  Vector3 across;           ///< derivative across both sides where they form one smooth curve
   bool smooth = true;
   double opening = std::numbers::pi;
   Index corners = 0;
 };
 
+/// Random tangent planes and tangents at all border vertices.
 inline std::vector<BorderVertex> random_border(const Polyhedron& polyhedron, std::mt19937_64& rng) {
   const HalfEdgeMesh& mesh = polyhedron.topology();
   std::vector<BorderVertex> out(mesh.vertex_count());
@@ -94,8 +97,8 @@ inline std::vector<BorderVertex> random_border(const Polyhedron& polyhedron, std
   return out;
 }
 
-/// A polyhedron with some border edges joined to sides that fit: tangent planes agree at corners and every
-/// side can have one lambda.
+/// Polyhedron with some border edges joined to sides that fit: tangent planes agree at corners, and every
+/// side admits one lambda.
 inline JoinCase random_join_case(std::mt19937_64& rng, double joined = 0.75, double smooth = 0.75) {
   PolygonMesh mesh_in = random_open_mesh(rng);
   perturb(mesh_in, rng, 0.08);
@@ -141,7 +144,7 @@ inline JoinCase random_join_case(std::mt19937_64& rng, double joined = 0.75, dou
   return out;
 }
 
-/// A patch with this side: side 0 of the only patch of the net. Its normals point the other way.
+/// Net of a patch with this side, as side 0 of its only patch. Its normals point the other way.
 inline BicubicNet net_of(const Join& join) {
   BicubicNet net{1, 1, {}};
   for (int j = 0; j < 4; ++j)
@@ -162,7 +165,7 @@ inline double normal_jump(const Surface& surface, const Join& join) {
   }
   return largest;
 }
-/// Largest distance of the edge's curve from the side.
+/// Largest distance of the edge's curve from the side, at 33 points.
 inline double gap(const Surface& surface, const Join& join) {
   const BicubicPatchSet patch(net_of(join));
   double largest = 0;

@@ -20,7 +20,7 @@
 
 namespace hariko::test {
 
-/// Corners (+-1, +-1, +-1); the numbering of tests/golden/cube.obj.
+/// Cube with corners (+-1, +-1, +-1), numbered as in tests/golden/cube.obj.
 inline PolygonMesh cube() {
   PolygonMesh mesh;
   mesh.positions = {{-1, -1, -1}, {1, -1, -1}, {1, 1, -1}, {-1, 1, -1},
@@ -34,7 +34,7 @@ inline PolygonMesh cube() {
   return mesh;
 }
 
-/// Unit axes; the numbering of tests/golden/octahedron.obj.
+/// Octahedron with corners on the unit axes, numbered as in tests/golden/octahedron.obj.
 inline PolygonMesh octahedron() {
   PolygonMesh mesh;
   mesh.positions = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
@@ -49,8 +49,8 @@ inline PolygonMesh octahedron() {
   return mesh;
 }
 
-/// n >= 3 sides, radius 1, z = -1 .. 1. Vertices: bottom ring, then top ring. Faces: bottom, top, sides.
-/// prism(6) is tests/golden/prism6.obj.
+/// Prism with n >= 3 sides, radius 1, z = -1 .. 1. Vertices: bottom ring, then top ring. Faces: bottom, top,
+/// sides. prism(6) is tests/golden/prism6.obj.
 inline PolygonMesh prism(int n) {
   PolygonMesh mesh;
   for (double z : {-1.0, 1.0})
@@ -70,7 +70,7 @@ inline PolygonMesh prism(int n) {
   return mesh;
 }
 
-/// Radii 2 and 1, n >= 3 steps round the axis and m >= 3 round the tube; torus(8, 4) is
+/// Torus with radii 2 and 1, n >= 3 steps round the axis and m >= 3 round the tube; torus(8, 4) is
 /// tests/golden/torus.obj.
 inline PolygonMesh torus(int n, int m) {
   PolygonMesh mesh;
@@ -86,7 +86,7 @@ inline PolygonMesh torus(int n, int m) {
   return mesh;
 }
 
-/// n x m quads over [-1, 1]^2 with z = x y / 2; grid(3, 3) is tests/golden/grid3.obj.
+/// Grid of n x m quads over [-1, 1]^2 with z = x y / 2; grid(3, 3) is tests/golden/grid3.obj.
 inline PolygonMesh grid(int n, int m) {
   PolygonMesh mesh;
   for (int j = 0; j <= m; ++j)
@@ -100,8 +100,8 @@ inline PolygonMesh grid(int n, int m) {
   return mesh;
 }
 
-/// The outside of unit cells: filled(x, y, z) for cells of nx x ny x nz, centred. Cells that touch only along
-/// an edge or in a corner give a mesh that is not manifold.
+/// Boundary of unit cells: filled(x, y, z) for cells of nx x ny x nz, centred. Cells that touch only along an
+/// edge or in a corner give a mesh that is not manifold.
 inline PolygonMesh cells(int nx, int ny, int nz, const std::function<bool(int, int, int)>& filled) {
   PolygonMesh mesh;
   std::map<std::tuple<int, int, int>, Index> vertices;
@@ -132,12 +132,12 @@ inline PolygonMesh cells(int nx, int ny, int nz, const std::function<bool(int, i
   return mesh;
 }
 
-/// A slab of (2g + 1) x 3 unit cells with g holes; genus_box(3) is the shape of tests/golden/genus3.obj.
+/// Slab of (2g + 1) x 3 unit cells with g holes; genus_box(3) is the shape of tests/golden/genus3.obj.
 inline PolygonMesh genus_box(int g) {
   return cells(2 * g + 1, 3, 1, [](int x, int y, int) { return y != 1 || x % 2 == 0; });
 }
 
-/// An n-gon and an apex, n >= 3, closed.
+/// Closed pyramid over an n-gon, n >= 3.
 inline PolygonMesh pyramid(int n) {
   PolygonMesh mesh;
   std::vector<Index> base;
@@ -153,7 +153,7 @@ inline PolygonMesh pyramid(int n) {
   return mesh;
 }
 
-/// The shortest distance between two corners that follow each other in a face.
+/// Length of the shortest side of a face.
 inline double shortest_edge(const PolygonMesh& mesh) {
   double shortest = std::numeric_limits<double>::infinity();
   for (std::size_t f = 0; f < mesh.face_count(); ++f) {
@@ -171,6 +171,7 @@ inline void perturb(PolygonMesh& mesh, std::mt19937_64& rng, double amount) {
   for (Vector3& p : mesh.positions) p += random_vector(rng, radius);
 }
 
+/// Mesh without one of its faces; vertices stay.
 inline PolygonMesh without_face(const PolygonMesh& mesh, std::size_t gone) {
   PolygonMesh out;
   out.positions = mesh.positions;
@@ -179,7 +180,7 @@ inline PolygonMesh without_face(const PolygonMesh& mesh, std::size_t gone) {
   return out;
 }
 
-/// Tries `attempts` times to take a face away; keeps only what leaves a manifold. Unused vertices are
+/// Removes random faces in `attempts` attempts; reverts those that leave no manifold. Unused vertices are
 /// removed.
 inline PolygonMesh remove_random_faces(PolygonMesh mesh, std::mt19937_64& rng, int attempts) {
   for (int i = 0; i < attempts && mesh.face_count() > 1; ++i) {
@@ -189,7 +190,7 @@ inline PolygonMesh remove_random_faces(PolygonMesh mesh, std::mt19937_64& rng, i
   return remove_isolated_vertices(mesh);
 }
 
-/// Both meshes as components of one.
+/// Mesh with both meshes as components.
 inline PolygonMesh together(const PolygonMesh& a, const PolygonMesh& b, const Vector3& shift_of_b) {
   PolygonMesh out = a;
   const Index first = static_cast<Index>(a.positions.size());
@@ -202,7 +203,7 @@ inline PolygonMesh together(const PolygonMesh& a, const PolygonMesh& b, const Ve
   return out;
 }
 
-/// A random blob of 1 .. 12 unit cells; manifold (non-manifold blobs are drawn again).
+/// Random blob of 1 .. 18 unit cells; manifold (non-manifold blobs are drawn again).
 inline PolygonMesh random_cells(std::mt19937_64& rng) {
   while (true) {
     const int nx = uniform_int(rng, 1, 3), ny = uniform_int(rng, 1, 3), nz = uniform_int(rng, 1, 2);
@@ -215,7 +216,7 @@ inline PolygonMesh random_cells(std::mt19937_64& rng) {
   }
 }
 
-/// A closed mesh without random changes: faces of 3 .. 20 sides, genus 0 .. 6.
+/// Closed mesh without random displacements: faces with 3 .. 20 sides, genus 0 .. 6.
 inline PolygonMesh random_closed_shape(std::mt19937_64& rng) {
   switch (uniform_int(rng, 0, 6)) {
     case 0:
@@ -237,15 +238,15 @@ inline PolygonMesh random_closed_shape(std::mt19937_64& rng) {
   }
 }
 
-/// A closed, perturbed mesh.
+/// Closed, perturbed mesh.
 inline PolygonMesh random_closed_polyhedron(std::mt19937_64& rng) {
   PolygonMesh mesh = random_closed_shape(rng);
   perturb(mesh, rng, uniform(rng, 0, 0.15));
   return mesh;
 }
 
-/// Any mesh a designer may have: closed or open, one or two components, perturbed. Always manifold and
-/// finite, without isolated vertices.
+/// Random mesh as a designer may have it: closed or open, one or two components, perturbed. Always manifold
+/// and finite, without isolated vertices.
 inline PolygonMesh random_polyhedron(std::mt19937_64& rng) {
   const bool is_grid = chance(rng, 0.2);
   const int n = uniform_int(rng, 1, 7), m = uniform_int(rng, 1, 7);
@@ -256,7 +257,7 @@ inline PolygonMesh random_polyhedron(std::mt19937_64& rng) {
   return mesh;
 }
 
-/// The diagonal of the box.
+/// Diagonal of the bounding box.
 inline double size_of(const Polyhedron& polyhedron) {
   Eigen::AlignedBox3d box;
   for (const Vector3& p : polyhedron.positions()) box.extend(p);

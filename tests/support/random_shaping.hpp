@@ -8,8 +8,9 @@
 
 namespace hariko::test {
 
-/// About half of the elements get a tension; alpha in [0, largest_alpha] (some exactly 0), beta
-/// logarithmically uniform. One mesh in three has creases, one in five a tagged border vertex.
+/// Random shaping. About half of the elements get a tension, alpha logarithmically uniform in [0.001,
+/// largest_alpha), beta in [smallest_beta, largest_beta). One mesh in three has creases, one in five tags on
+/// border vertices.
 inline Shaping random_shaping(const Polyhedron& polyhedron, std::mt19937_64& rng, double largest_alpha,
                               double smallest_beta, double largest_beta) {
   Shaping shaping;

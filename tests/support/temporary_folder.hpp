@@ -1,6 +1,6 @@
 #pragma once
 
-// Files of tests.
+// Temporary folders and files of tests.
 
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@
 
 namespace hariko::test {
 
-/// A folder of its own under the system's temporary folder, removed at the end of the scope.
+/// Temporary folder of its own, removed at the end of the scope.
 class TemporaryFolder {
  public:
   TemporaryFolder() {
@@ -32,16 +32,18 @@ class TemporaryFolder {
   std::filesystem::path path_;
 };
 
+/// Content of a file.
 inline std::string slurp(const std::filesystem::path& path) {
   std::ifstream file(path, std::ios::binary);
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
+/// Writes a file.
 inline void spill(const std::filesystem::path& path, const std::string& bytes) {
   std::ofstream(path, std::ios::binary) << bytes;
 }
 
-/// Files and folders directly in it.
+/// Number of files and folders directly in a folder.
 inline std::size_t files_in(const std::filesystem::path& folder) {
   return static_cast<std::size_t>(
       std::distance(std::filesystem::directory_iterator(folder), std::filesystem::directory_iterator()));

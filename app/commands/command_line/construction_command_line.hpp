@@ -1,6 +1,6 @@
 #pragma once
 
-// The options of how surfaces are made, for all commands that make some. Internal to this folder.
+// Command line options for the construction of surfaces. Internal to this folder.
 
 #include <string>
 
@@ -10,15 +10,16 @@
 
 namespace hariko {
 
+/// Options of all commands that make surfaces.
 class ConstructionCommandLine {
  public:
   void add_to(CLI::App& command);
-  /// After parsing.
+  /// Values of the options, after parsing.
   Construction construction() const;
 
  private:
   std::string mode_, frames_, merge_coplanar_;
-  bool round_ = false;  ///< asked for what mode G2 does anyway
+  bool round_ = false;  ///< obsolete option: mode G2 is round by itself
   OutlineCommandLine outlines_;
   SolidsCommandLine solids_;
   ReadingCommandLine reading_;

@@ -1,6 +1,6 @@
 #pragma once
 
-// The options of `hariko export`. Internal to this folder.
+// Command line options of `hariko export`. Internal to this folder.
 
 #include <string>
 #include <vector>
@@ -14,19 +14,20 @@ class Option;
 
 namespace hariko {
 
+/// Options of `hariko export`.
 class ExportCommandLine {
  public:
   void add_to(CLI::App& app);
   CLI::App* command() const { return command_; }
-  /// Throws CLI::ValidationError for what the parser itself cannot refuse.
+  /// Validates combinations that the parser itself cannot reject; throws CLI::ValidationError.
   void check() const;
-  /// After `check`.
+  /// Values of the options, after `check`.
   ExportArguments arguments(const Construction& construction) const;
 
  private:
   CLI::App* command_ = nullptr;
-  CLI::Option* density_ = nullptr;         ///< of triangles only
-  std::vector<CLI::Option*> cad_options_;  ///< of STEP and IGES only
+  CLI::Option* density_ = nullptr;         ///< for triangles only
+  std::vector<CLI::Option*> cad_options_;  ///< for STEP and IGES only
   ExportArguments arguments_;
   double angle_ = 0;  ///< degrees
   std::string quality_ = "balanced";

@@ -1,6 +1,6 @@
 #pragma once
 
-// The options of all commands that write models for other programs. Internal to this folder.
+// Command line options of all commands that write models for other programs. Internal to this folder.
 
 #include <filesystem>
 #include <string>
@@ -14,12 +14,14 @@ class App;
 
 namespace hariko {
 
+/// Options of the file that is written.
 class FileOptions {
  public:
-  /// --unit, --scale, --up, --origin, --ascii, --only
+  /// Adds --unit, --scale, --up, --origin, --ascii and --only.
   void add_to(CLI::App* command);
-  /// Throws CLI::ValidationError where the format of `out` leaves no choice.
+  /// Throws CLI::ValidationError for options that the format of `out` does not leave open.
   void check(const std::filesystem::path& out) const;
+  /// Values of the options, after `check`.
   FileArguments arguments() const;
 
  private:

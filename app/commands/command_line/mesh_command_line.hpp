@@ -1,6 +1,6 @@
 #pragma once
 
-// The options of `hariko mesh`. Internal to this folder.
+// Command line options of `hariko mesh`. Internal to this folder.
 
 #include <optional>
 #include <string>
@@ -13,13 +13,14 @@ class App;
 
 namespace hariko {
 
+/// Options of `hariko mesh`.
 class MeshCommandLine {
  public:
   void add_to(CLI::App& app);
   CLI::App* command() const { return command_; }
-  /// Throws CLI::ValidationError for what the parser itself cannot refuse.
+  /// Validates combinations that the parser itself cannot reject; throws CLI::ValidationError.
   void check() const;
-  /// After `check`.
+  /// Values of the options, after `check`.
   MeshArguments arguments(const Construction& construction) const;
 
  private:

@@ -14,7 +14,7 @@ std::vector<std::string> words(const std::array<std::string_view, N>& names) {
   return {names.begin(), names.end()};
 }
 
-/// The number of a word that the parser let pass; nothing for no word.
+/// Number of a word that the parser accepted; nothing for the empty word.
 template <class Enum, std::size_t N>
 std::optional<Enum> value_of(const std::string& word, const std::array<std::string_view, N>& names) {
   const auto found = std::find(names.begin(), names.end(), word);

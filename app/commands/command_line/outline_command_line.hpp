@@ -1,6 +1,6 @@
 #pragma once
 
-// The options of outlines, for all subcommands that make surfaces. Internal to this folder.
+// Command line options of outlines, for all commands that make surfaces. Internal to this folder.
 
 #include <string>
 
@@ -12,10 +12,11 @@ class App;
 
 namespace hariko {
 
+/// Options of outlines.
 class OutlineCommandLine {
  public:
   void add_to(CLI::App& command);
-  /// After parsing.
+  /// Values of the options, after parsing.
   OutlineConstruction construction() const;
 
  private:

@@ -1,6 +1,6 @@
 #pragma once
 
-// Options of how meshes of other programs are read.
+// Command line options for reading meshes of other programs.
 
 #include <string>
 
@@ -12,10 +12,12 @@ class App;
 
 namespace hariko {
 
-/// Several commands may have the same ones.
+/// Options for reading meshes; several commands may have them.
 class ReadingCommandLine {
  public:
+  /// Adds the options to a command.
   void add_to(CLI::App& command);
+  /// Values of the options, after parsing.
   Reading reading() const;
 
  private:

@@ -30,7 +30,7 @@ std::optional<double> parse_number(std::string_view text) {
   return value;
 }
 
-/// "1280x960"
+/// Parses a size in pixels, "1280x960".
 std::optional<PixelSize> parse_size(const std::string& text) {
   const std::size_t cross = text.find('x');
   if (cross == std::string::npos) return std::nullopt;
@@ -43,7 +43,7 @@ std::optional<PixelSize> parse_size(const std::string& text) {
   return PixelSize{*width, *height};
 }
 
-/// "180x120mm": a page, in pixels of 1/96 inch.
+/// Parses a page, "180x120mm", to pixels of 1/96 inch.
 std::optional<Vector2> parse_page(std::string_view text) {
   if (!text.ends_with("mm")) return std::nullopt;
   text.remove_suffix(2);
@@ -57,7 +57,7 @@ std::optional<Vector2> parse_page(std::string_view text) {
   return Vector2(pixels_per_millimetre * Vector2(*width, *height));
 }
 
-/// "symmetric", "percentile", "full", or "-1,1"
+/// Parses a range of map values: "symmetric", "percentile", "full", or "-1,1".
 std::optional<MapRange> parse_range(std::string_view text) {
   if (text == "symmetric") return MapRange{RangeMode::symmetric};
   if (text == "percentile") return MapRange{RangeMode::percentile};
@@ -69,7 +69,7 @@ std::optional<MapRange> parse_range(std::string_view text) {
   return MapRange{RangeMode::manual, *low, *high};
 }
 
-/// "#b9b4ac"
+/// Parses a colour, "#b9b4ac".
 std::optional<Colour> parse_colour(std::string_view text) {
   if (text.size() != 7 || text[0] != '#') return std::nullopt;
   std::uint32_t value = 0;
@@ -79,7 +79,7 @@ std::optional<Colour> parse_colour(std::string_view text) {
   return Colour{byte(16), byte(8), byte(0)};
 }
 
-/// "x=10", or "-x=10" for the other half
+/// Parses a section plane: "x=10", or "-x=10" for the other half.
 std::optional<SectionPlane> parse_section(std::string_view text) {
   const bool flipped = !text.empty() && text[0] == '-';
   if (flipped) text.remove_prefix(1);

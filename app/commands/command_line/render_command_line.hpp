@@ -1,6 +1,6 @@
 #pragma once
 
-// The options of `hariko render`. Internal to this folder.
+// Command line options of `hariko render`. Internal to this folder.
 
 #include <string>
 #include <vector>
@@ -14,20 +14,22 @@ class Option;
 
 namespace hariko {
 
+/// Options of `hariko render`.
 class RenderCommandLine {
  public:
   void add_to(CLI::App& app);
   CLI::App* command() const { return command_; }
-  /// Throws CLI::ValidationError for what the parser itself cannot refuse.
+  /// Validates combinations that the parser itself cannot reject; throws CLI::ValidationError.
   void check() const;
-  /// After `check`: draws a picture or lines, as the name of the file says. The exit code.
+  /// Draws a picture or a line drawing, depending on the file's name, after `check`. Returns the exit code.
   int run(const Construction& construction) const;
 
  private:
   void add_looks();
   void add_lines();
-  /// The format of OUT, by its ending or by --format.
+  /// Whether OUT is a picture, by its ending or by --format.
   bool is_picture() const;
+  /// Whether OUT is a line drawing, by its ending or by --format.
   bool is_drawing() const;
   void check_picture() const;
   void check_drawing() const;
@@ -35,7 +37,7 @@ class RenderCommandLine {
   DrawingArguments drawing() const;
 
   CLI::App* command_ = nullptr;
-  std::vector<CLI::Option*> picture_options_, drawing_options_;  ///< of only one of both
+  std::vector<CLI::Option*> picture_options_, drawing_options_;  ///< options of only one of the two
   std::string file_, out_, format_, size_ = "1280x960", view_ = "iso", map_ = "shaded", range_ = "symmetric",
                                     material_, colour_, wire_ = "none", section_, background_ = "dark";
   std::vector<std::string> show_, lines_;

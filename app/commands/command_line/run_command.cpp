@@ -22,7 +22,7 @@ namespace hariko {
 
 namespace {
 
-/// The arguments as values, and the command that they are for.
+/// Parser of all arguments, and the command that they select.
 class CommandLine {
  public:
   CommandLine()
@@ -54,7 +54,7 @@ class CommandLine {
   /// See `run_command`.
   std::variant<int, WindowOptions> run(int argc, char** argv) {
     try {
-      // Before its own arguments are complained about.
+      // Checks the command before errors in its own arguments are reported.
       if (argc > 1) check_first_word(argv[1]);
       parse(argc, argv);
       check_combinations();
@@ -91,7 +91,7 @@ class CommandLine {
                           "JSON file with tensions, creases and corners");
   }
 
-  /// For the build only.
+  /// Adds the command that only the build uses.
   void add_sample_pictures() {
     pictures_ = app_.add_subcommand("sample-pictures", "Draws the pictures of the start page")->group("");
     pictures_->add_option("ASSETS", assets_, "The program's data")->required();
@@ -117,11 +117,12 @@ class CommandLine {
     if (*unfold_.command()) unfold_.check();
     if (*render_.command()) render_.check();
     if (*mesh_.command()) mesh_.check();
-    // Behind the window's options.
+    // A mistyped command may also follow the window's options.
     if (const auto& files = window_.options().files; !files.empty()) check_first_word(files.front().string());
   }
 
-  /// The terminal is where a name is typed; the window says it, too, as it may have come from a menu.
+  /// Reports missing files in the terminal, where names are typed; the window reports them too, as it may
+  /// have been started from a menu.
   static void report_missing(const WindowOptions& options) {
     for (const std::filesystem::path& file : options.files) {
       std::error_code unknown;

@@ -1,7 +1,7 @@
 #pragma once
 
-// The command line: the window, or `hariko info`, `export`, `render`, `mesh`, `evaluate`, `unfold`.
-// docs/cli.md describes it.
+// Command line of the program: the window, or `hariko info`, `export`, `render`, `mesh`, `evaluate`,
+// `unfold`, as docs/cli.md describes.
 
 #include <variant>
 
@@ -9,9 +9,9 @@
 
 namespace hariko {
 
-/// Parses the arguments and runs the command that they name. Gives its exit code (0 fine, 1 the input or the
-/// job failed, 2 wrong usage; also after --help and --version), or the window that is asked for instead.
-/// Writes to the standard streams.
+/// Parses the arguments and runs the command that they name. Returns its exit code (0 success, 1 failure of
+/// the input or the job, 2 wrong usage; also after --help and --version), or the options of the window where
+/// that is requested. Writes to the standard streams.
 std::variant<int, WindowOptions> run_command(int argc, char** argv);
 
 }  // namespace hariko

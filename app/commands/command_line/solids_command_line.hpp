@@ -1,6 +1,6 @@
 #pragma once
 
-// The options of solids, for all subcommands that make surfaces. Internal to this folder.
+// Command line options of solids, for all commands that make surfaces. Internal to this folder.
 
 #include <string>
 
@@ -12,10 +12,11 @@ class App;
 
 namespace hariko {
 
+/// Options of surfaces round solids.
 class SolidsCommandLine {
  public:
   void add_to(CLI::App& command);
-  /// After parsing.
+  /// Values of the options, after parsing.
   SolidsConstruction construction() const;
 
  private:

@@ -26,7 +26,7 @@ const std::vector<std::string> read_formats{"hariko", "obj", "off",  "ply",  "st
 const std::vector<std::string> written_formats{"obj", "off",  "ply", "stl", "3mf", "glb", "gltf", "step",
                                                "stp", "iges", "igs", "png", "svg", "pdf", "dxf",  "json"};
 
-/// The ending of a file with these bytes; nothing where they do not tell.
+/// File ending for these bytes; nothing where they do not tell the format.
 std::optional<std::string> ending_of(std::string_view bytes) {
   if (const auto mesh = format_of_content(bytes)) {
     switch (*mesh) {

@@ -1,6 +1,6 @@
 #pragma once
 
-// Standard input and output in the place of files: "-" as FILE or OUT.
+// Standard input and output in place of files: "-" as FILE or OUT.
 
 #include <filesystem>
 #include <memory>
@@ -15,9 +15,9 @@ class Option;
 
 namespace hariko {
 
-/// Input is a file in a folder of its own until the program ends, and output becomes one
-/// first, so that nothing is written where a job fails. While a file goes to the standard output, reports go
-/// to the standard error stream.
+/// Redirection of standard streams through files. Input is copied to a file in a scratch folder for the life
+/// of the program; output is written to such a file first, so that a failing job writes nothing. While a file
+/// goes to the standard output, reports go to the standard error stream.
 class StandardStreams {
  public:
   StandardStreams() = default;
@@ -25,11 +25,11 @@ class StandardStreams {
   StandardStreams(const StandardStreams&) = delete;
   StandardStreams& operator=(const StandardStreams&) = delete;
 
-  /// Gives the command options --from, and --to where it has an OUT, after these were added.
+  /// Adds --from, and --to where the command has an OUT, after these arguments were added.
   void add_to(CLI::App& command);
-  /// After parsing: --from and --to are for "-" only. Throws CLI::ValidationError.
+  /// Validates the options after parsing: --from and --to are for "-" only. Throws CLI::ValidationError.
   void check() const;
-  /// After the job: writes OUT to the standard output. `code`: of the job; gives it, or 1.
+  /// Copies OUT to the standard output after the job. Returns the job's exit code `code`, or 1 on failure.
   int finish(int code);
 
  private:

@@ -16,7 +16,7 @@ std::string did_you_mean(const std::optional<std::string>& word) {
   return word ? "\nDid you mean '" + *word + "'?" : std::string();
 }
 
-/// Long names of all options that help shows.
+/// Long names of all options that the help shows.
 std::vector<std::string> option_names(const CLI::App& app) {
   std::vector<std::string> names;
   for (const CLI::Option* option : app.get_options({}))
@@ -29,10 +29,10 @@ std::vector<std::string> option_names(const CLI::App& app) {
 
 std::optional<std::string> unknown_command(const CLI::App& app, const std::string& word) {
   const std::filesystem::path path(word);
-  std::error_code unknown;  // what cannot be looked at is no file either
+  std::error_code unknown;  // an inaccessible file counts as missing
   if (path.has_extension() || path.has_parent_path() || std::filesystem::exists(path, unknown))
     return std::nullopt;
-  std::vector<std::string> known{"--help", "--version"};  // `hariko help` is meant well
+  std::vector<std::string> known{"--help", "--version"};  // also offered to people who type `hariko help`
   for (const CLI::App* command : app.get_subcommands({})) {
     if (command->get_name() == word) return std::nullopt;
     known.push_back(command->get_name());

@@ -1,6 +1,6 @@
 #pragma once
 
-// Suggestions where the command line names something that is not there. Internal to this folder.
+// Suggestions for misspelt commands and options. Internal to this folder.
 
 #include <optional>
 #include <string>
@@ -11,12 +11,12 @@ class App;
 
 namespace hariko {
 
-/// Why the first word on the command line cannot be meant as it stands: it is neither a command nor a file,
-/// and does not look like the name of one, which has an ending or a folder. Names the nearest command.
+/// Message, with the nearest command, for a first word that is neither a command nor a file and does not look
+/// like a file's name, which has an ending or a folder. Nothing for other words.
 std::optional<std::string> unknown_command(const CLI::App& app, const std::string& word);
 
-/// "Did you mean '--density'?" for the first option that was not expected, on a line of its own; empty where
-/// nothing is near. After parsing failed.
+/// Suggestion "Did you mean '--density'?", on a line of its own, for the first unexpected option after
+/// parsing failed; empty where no option is similar.
 std::string suggested_option(const CLI::App& app);
 
 }  // namespace hariko

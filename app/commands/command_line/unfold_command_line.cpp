@@ -18,7 +18,7 @@ std::optional<double> parse_length(std::string_view text) {
   return fine && value > 0 ? std::optional(value) : std::nullopt;
 }
 
-/// "A4", "A3", "Letter", or "WxH" in mm.
+/// Parses a paper size: "A4", "A3", "Letter", or "WxH" in mm.
 std::optional<PaperSize> parse_paper(std::string text) {
   for (char& c : text)
     if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');

@@ -1,6 +1,6 @@
 #pragma once
 
-// The options of `hariko unfold`. Internal to this folder.
+// Command line options of `hariko unfold`. Internal to this folder.
 
 #include <string>
 #include <vector>
@@ -14,13 +14,14 @@ class App;
 
 namespace hariko {
 
+/// Options of `hariko unfold`.
 class UnfoldCommandLine {
  public:
   void add_to(CLI::App& app);
   CLI::App* command() const { return command_; }
-  /// Throws CLI::ValidationError for what the parser itself cannot refuse.
+  /// Validates combinations that the parser itself cannot reject; throws CLI::ValidationError.
   void check() const;
-  /// After `check`.
+  /// Values of the options, after `check`.
   UnfoldArguments arguments() const;
 
  private:

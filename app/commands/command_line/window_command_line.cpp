@@ -34,7 +34,7 @@ void WindowCommandLine::add_to(CLI::App& app) {
                    "Plays a replay without the pauses in which nothing happened"))
       ->group(group)
       ->needs(replay);
-  // For tests: without a group help leaves it out.
+  // Option for tests: the help omits options without a group.
   add(app.add_option("--test-log", options_.test_log,
                      "File to write what happens to, one JSON line an event"))
       ->group("");

@@ -1,6 +1,6 @@
 #pragma once
 
-// The options of the window, which stand without a command. Internal to this folder.
+// Command line options of the window, which are given without a command. Internal to this folder.
 
 #include <vector>
 
@@ -13,10 +13,11 @@ class Option;
 
 namespace hariko {
 
+/// Options of the window.
 class WindowCommandLine {
  public:
   void add_to(CLI::App& app);
-  /// Throws CLI::ParseError where something of this was said and `command` as well.
+  /// Throws CLI::ParseError where window options are combined with `command`.
   void check_nothing_said(const CLI::App& command) const;
   const WindowOptions& options() const { return options_; }
 

@@ -14,7 +14,7 @@ namespace hariko {
 
 namespace {
 
-/// Windows-1252 from 0x80 to 0x9f; the bytes that it leaves free become '?'.
+/// Windows-1252 from 0x80 to 0x9f; undefined bytes become '?'.
 constexpr std::array<std::uint16_t, 32> windows_1252{
     0x20ac, '?',    0x201a, 0x0192, 0x201e, 0x2026, 0x2020, 0x2021, 0x02c6, 0x2030, 0x0160,
     0x2039, 0x0152, '?',    0x017d, '?',    '?',    0x2018, 0x2019, 0x201c, 0x201d, 0x2022,
@@ -36,7 +36,7 @@ void append_utf8(std::string& out, std::uint32_t code) {
   }
 }
 
-/// The code point of a well-formed sequence.
+/// Code point of a well-formed UTF-8 sequence.
 std::uint32_t code_point(std::string_view sequence) {
   HARIKO_ASSERT(!sequence.empty() && sequence.size() <= 4, "a sequence has one to four bytes");
   const auto byte = [&](std::size_t i) { return std::uint32_t(static_cast<unsigned char>(sequence[i])); };
@@ -71,7 +71,7 @@ std::string hexadecimal(std::uint32_t value, int digits) {
   return out;
 }
 
-/// The double byte at the beginning of a text, by its ranges in Shift-JIS.
+/// Whether a text begins with a double byte in the ranges of Shift-JIS.
 bool begins_shift_jis(std::string_view text) {
   if (text.size() < 2) return false;
   const auto first = static_cast<unsigned char>(text[0]), second = static_cast<unsigned char>(text[1]);
@@ -79,8 +79,8 @@ bool begins_shift_jis(std::string_view text) {
          second != 0x7f && second <= 0xfc;
 }
 
-/// Text as Shift-JIS, or nothing where it seems to be of another encoding. Kana and common kanji begin with
-/// 0x81 to 0x9f, where Windows-1252 has quotation marks and no letters of words.
+/// Text decoded as Shift-JIS, or nothing where it seems to be in another encoding. Kana and common kanji
+/// begin with 0x81 to 0x9f, where Windows-1252 has quotation marks and no letters of words.
 std::optional<std::string> of_shift_jis(std::string_view bytes) {
   std::size_t common = 0, rare = 0;
   for (std::string_view left = bytes; !left.empty();) {
@@ -107,7 +107,7 @@ bool is_ascii(std::string_view text) {
   return std::all_of(text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < 0x80; });
 }
 
-/// Bytes that belong to no sequence of UTF-8.
+/// Number of bytes that belong to no UTF-8 sequence.
 std::size_t stray_count(std::string_view text) {
   std::size_t out = 0;
   while (!text.empty()) {
@@ -162,7 +162,7 @@ DecodedText decoded(std::string bytes, StrayBytes stray) {
 
 std::string with_step_directives(std::string_view text) {
   std::string out;
-  int open = 0;  // digits of a character in the directive that is not closed yet
+  int open = 0;  // digits of a character in the directive that is still open
   while (!text.empty()) {
     const std::size_t length = std::max<std::size_t>(utf8_length(text), 1);
     const std::uint32_t code =

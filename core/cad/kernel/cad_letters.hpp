@@ -1,6 +1,6 @@
 #pragma once
 
-// Letters beyond ASCII in STEP and IGES files.
+// Text encodings of STEP and IGES files.
 
 #include <cstddef>
 #include <string>
@@ -8,26 +8,29 @@
 
 namespace hariko {
 
-/// Text of a file of unknown encoding.
+/// Text decoded from an unknown encoding.
 struct DecodedText {
   std::string text;         ///< UTF-8
-  bool marked = false;      ///< began with a byte order mark, which is gone
-  std::size_t guessed = 0;  ///< bytes that are no UTF-8
-  bool japanese = false;    ///< they were read as Shift-JIS
+  bool marked = false;      ///< began with a byte order mark, which is removed
+  std::size_t guessed = 0;  ///< bytes that are not UTF-8
+  bool japanese = false;    ///< the guessed bytes were read as Shift-JIS
 };
 
-/// Bytes that are no UTF-8: as letters of the old encoding that they seem to be of (Windows-1252, or
-/// Shift-JIS where all of them make characters of it and most of these begin as its common ones do, which
-/// Western text does not), or as '?', which keeps the lengths that IGES counts.
+/// Treatment of bytes that are not UTF-8. `letters`: read as the legacy encoding that they seem to be in:
+/// Windows-1252, or Shift-JIS where all of them form characters of it and most of these begin as its common
+/// ones do, which Western text does not. `question_mark`: replaced by '?', which keeps the lengths that IGES
+/// counts.
 enum class StrayBytes { letters, question_mark };
 
-/// UTF-16 is known by its mark; everything else is UTF-8, but for stray bytes. O(size).
+/// Decodes the bytes of a file to UTF-8. UTF-16 is recognised by its mark; everything else is UTF-8 except
+/// for stray bytes. O(size).
 DecodedText decoded(std::string bytes, StrayBytes stray);
 
-/// UTF-8 beyond ASCII as the control directives of ISO 10303-21 (\X2\....\X0\, \X4\........\X0\). O(size).
+/// Encodes UTF-8 beyond ASCII by the control directives of ISO 10303-21 (\X2\....\X0\, \X4\........\X0\).
+/// O(size).
 std::string with_step_directives(std::string_view text);
 
-/// Each character beyond ASCII becomes '_': IGES has no others. O(size).
+/// Name with each character beyond ASCII replaced by '_', for IGES. O(size).
 std::string ascii_name(std::string_view text);
 
 }  // namespace hariko

@@ -24,8 +24,8 @@ Message no_iges(std::string text) {
   return make_error(e_cad_read, std::move(text), "Export the model as IGES again, or as STEP.");
 }
 
-/// Behind a string or a comment that begins at `at`; the end of the text where it does not end. `at` itself
-/// where none begins there.
+/// Position behind a string or a comment that begins at `at`; the end of the text where it is not closed;
+/// `at` itself where none begins there.
 std::size_t skip_quoted(std::string_view text, std::size_t at) {
   if (text[at] == '\'') return std::min(text.find('\'', at + 1), text.size() - 1) + 1;
   if (text.substr(at, 2) == "/*") {
@@ -38,7 +38,7 @@ std::size_t skip_quoted(std::string_view text, std::size_t at) {
 constexpr std::string_view sections = "SGDPT";
 constexpr std::size_t section_column = 72, line_length = 80;
 
-/// A whole number with blanks or zeros before it.
+/// Whole number, with blanks or zeros before it.
 std::optional<long> number_in(std::string_view field) {
   field.remove_prefix(std::min(field.find_first_not_of(' '), field.size()));
   long out = 0;
@@ -47,7 +47,7 @@ std::optional<long> number_in(std::string_view field) {
   return out;
 }
 
-/// "S      1G      3D      8P     20": the numbers of lines that the last line gives.
+/// Whether the last line ("S   1G   3D   8P  20") gives the right numbers of lines.
 bool agrees(std::string_view last, const std::array<long, 5>& counts) {
   for (std::size_t k = 0; k < 4; ++k) {
     const std::string_view field = last.substr(8 * k, 8);
@@ -56,11 +56,11 @@ bool agrees(std::string_view last, const std::array<long, 5>& counts) {
   return true;
 }
 
-/// The lines of an IGES file, which refer to each other: two lines of the directory to the lines of their
-/// parameters, these lines back to the directory's.
+/// Lines of an IGES file, with their cross references: two lines of the directory point to their lines of
+/// parameters, and these point back.
 class IgesLines {
  public:
-  /// Nothing where the line, without its end, is what comes next.
+  /// Checks the next line, without its line end; returns the error, or nothing.
   std::optional<Message> take(std::string_view line) {
     const std::string name = "Line " + std::to_string(++number_) + " of the IGES file ";
     if (line.size() < line_length)
@@ -78,7 +78,7 @@ class IgesLines {
 
   bool ended() const { return counts_[4] > 0; }
   bool counts_agree() const { return agrees(last_, counts_); }
-  /// The file ends where it should, and no line refers to one that is not there.
+  /// Whether the file ends where it should and no line refers to a missing one.
   bool whole() const {
     return counts_[4] == 1 && counts_[2] % 2 == 0 && last_directory_ <= counts_[2] &&
            last_parameters_ <= counts_[3] && global_ends_;
@@ -104,7 +104,8 @@ class IgesLines {
         break;
     }
   }
-  /// The section ends with its delimiter, which its first two parameters may change ("1H,,1H;,").
+  /// Looks for the end of the global section: its delimiter, which its first two parameters may change
+  /// ("1H,,1H;,").
   void take_global(std::string_view part) {
     if (counts_[1] == 1 && part.starts_with("1H")) {
       const std::string_view second = part.substr(3 + (part[3] == part[2] ? 1 : 0));
@@ -127,7 +128,7 @@ Message behind(const char* format) {
                       "What it says is not read; export the model again if something is missing.");
 }
 
-/// Warnings of changes to the text before it was checked.
+/// Warnings about changes made to the text before it was checked.
 std::vector<Message> warnings_of(const DecodedText& decoded, const char* format) {
   std::vector<Message> out;
   if (decoded.marked)

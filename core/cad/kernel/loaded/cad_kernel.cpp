@@ -1,4 +1,4 @@
-// Loads the module with OpenCASCADE when a STEP or IGES file is first written or read.
+// Loader of the module with OpenCASCADE, when a STEP or IGES file is first written or read.
 
 #include <dlfcn.h>
 
@@ -14,8 +14,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// In `lib/hariko/modules` beside the folder of the program, in an installed prefix as in a build folder;
-/// empty where it is not.
+/// Path of the module: `lib/hariko/modules` beside the folder of the program, in an installed prefix as in a
+/// build folder; empty where it is missing.
 fs::path module_path() {
   std::error_code error;
   const fs::path program = fs::read_symlink("/proc/self/exe", error);
@@ -42,7 +42,7 @@ Result<const CadModule*> load() {
   return reinterpret_cast<CadModuleEntry>(entry)();
 }
 
-/// Tries again after a failure: the libraries may have been installed meanwhile.
+/// Loads the module once. A failure is not remembered: the libraries may be installed meanwhile.
 Result<const CadModule*> module() {
   static const CadModule* loaded = nullptr;
   static std::mutex mutex;

@@ -1,4 +1,4 @@
-// Built where OpenCASCADE is not: says so.
+// Replacement where the program is built without OpenCASCADE: every function returns E_NO_CAD_KERNEL.
 
 #include "core/cad/kernel/cad_file.hpp"
 #include "core/cad/kernel/read_cad_file.hpp"

@@ -91,7 +91,7 @@ Result<std::string> step_text(const KernelDocument& document, const CadFileOptio
                             options.format == CadFormat::step_ap242 ? "AP242DIS" : "AP214IS");
   Interface_Static::SetCVal("write.step.unit", name_of(options.unit));
   STEPCAFControl_Writer writer;
-  // The setting names the unit in the file; from OpenCASCADE 7.7 on, the numbers follow the model's own.
+  // The setting names the unit in the file; since OpenCASCADE 7.7 the numbers follow the model's own unit.
   writer.ChangeWriter().Model()->SetWriteLengthUnit(millimetres_in(options.unit));
   writer.SetColorMode(true);
   writer.SetNameMode(true);

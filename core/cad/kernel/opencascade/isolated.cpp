@@ -19,9 +19,9 @@ namespace hariko {
 
 namespace {
 
-constexpr int look_milliseconds = 50;  ///< between two looks whether the work was cancelled
+constexpr int look_milliseconds = 50;  ///< interval between checks for cancellation
 
-/// Memory that both processes see.
+/// Progress fraction in memory shared by both processes.
 class SharedFraction {
  public:
   SharedFraction()
@@ -41,13 +41,13 @@ class SharedFraction {
   std::atomic<double>* fraction_ = nullptr;
 };
 
-/// Never returns: what this process would do at its end is its parent's to do.
+/// Runs the work and ends the child process. Never returns: exit handlers are the parent's business.
 [[noreturn]] void work_and_end(const std::function<std::string(const std::function<void(double)>&)>& work,
                                double most_seconds, std::atomic<double>& fraction, int out) {
   const auto seconds = static_cast<rlim_t>(std::ceil(most_seconds));
   const rlimit limit{seconds, seconds + 1};
   ::setrlimit(RLIMIT_CPU, &limit);
-  // A crash is an answer here, no reason for a report.
+  // A crash is an expected outcome here, not to be reported.
   for (const int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGPIPE, SIGXCPU})
     ::signal(signal, SIG_DFL);
   bool whole = false;
@@ -63,7 +63,7 @@ double seconds_of(clockid_t clock) {
   return ::clock_gettime(clock, &time) == 0 ? double(time.tv_sec) + 1e-9 * double(time.tv_nsec) : 0;
 }
 
-/// Watches whether a process gets on: it uses a processor now and then.
+/// Detects a process that is stuck: one that uses no processor time.
 class Watch {
  public:
   Watch(pid_t process, double most_waiting) : most_waiting_(most_waiting) {
@@ -87,7 +87,7 @@ class Watch {
   bool known_ = false;
 };
 
-/// Until the other end is closed; false where the work was cancelled, or is stuck.
+/// Reads until the other end is closed; false where the work was cancelled or is stuck.
 bool read_all(int descriptor, std::string& bytes, const SharedFraction& fraction, Watch watch,
               const CancelToken& cancel, const Progress& progress) {
   std::array<char, 65536> part{};

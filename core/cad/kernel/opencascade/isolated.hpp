@@ -1,6 +1,6 @@
 #pragma once
 
-// Work in a process of its own, for a kernel that damaged files can crash or send round in circles. Only for
+// Work in a child process, because damaged files can crash the kernel or make it loop for ever. Private to
 // this folder.
 
 #include <functional>
@@ -13,22 +13,22 @@
 
 namespace hariko {
 
-/// Limits of work, in seconds.
+/// Time limits of the work, seconds.
 struct Patience {
-  double working = 20;  ///< of a processor's time
-  /// Without any of it: the work waits for a lock that nobody frees, as a thread held it that the copy of the
-  /// process does not have.
+  double working = 20;  ///< processor time
+  /// Time without any use of the processor: the work then waits for a lock that a thread held when the
+  /// process was copied, and that nobody will release.
   double waiting = 60;
 };
 
-/// Runs `work` in a copy of this process and gives its bytes; nothing where it crashed, was cancelled or came
-/// to the end of a patience (then it is killed), or could not begin. `work` should lock nothing that another
-/// thread can hold, and tells its progress by the function that it is given.
+/// Runs `work` in a forked process and returns its bytes; nothing where it crashed, was cancelled, exceeded a
+/// limit (it is then killed), or could not start. `work` should lock nothing that another thread can hold; it
+/// reports progress through the function that it is given.
 std::optional<std::string> isolated(
     const std::function<std::string(const std::function<void(double)>& report)>& work,
     const Patience& patience, const CancelToken& cancel, const Progress& progress);
 
-/// False where not all of the bytes can be written.
+/// Writes all bytes to a descriptor; false where that fails.
 bool write_all(int descriptor, std::string_view bytes);
 
 }  // namespace hariko

@@ -19,7 +19,7 @@ std::mutex& kernel_mutex() {
 }  // namespace
 
 KernelSession::KernelSession() : lock_(kernel_mutex()) {
-  STEPControl_Controller::Init();  // or the settings do not exist yet
+  STEPControl_Controller::Init();  // the settings do not exist before
   IGESControl_Controller::Init();
   ::Message::DefaultMessenger()->RemovePrinters(STANDARD_TYPE(Message_Printer));
 }

@@ -1,13 +1,15 @@
 #pragma once
 
-// The kernel keeps settings and its application for the whole process: one at a time. Only for this folder.
+// Exclusive use of the kernel, which keeps settings and its application for the whole process. Private to
+// this folder.
 
 #include <TDocStd_Document.hxx>
 #include <mutex>
 
 namespace hariko {
 
-/// While it lives nobody else uses the kernel. Its controllers are there and it prints nothing.
+/// Holds the kernel's lock during its life, with the kernel's controllers initialised and its messages
+/// silenced.
 class KernelSession {
  public:
   KernelSession();
@@ -18,7 +20,7 @@ class KernelSession {
   std::lock_guard<std::mutex> lock_;
 };
 
-/// A document of the kernel, which is closed with it.
+/// Document of the kernel; closes it at the end of its life.
 class KernelDocument {
  public:
   KernelDocument();

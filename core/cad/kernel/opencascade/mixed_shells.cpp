@@ -15,7 +15,7 @@ namespace hariko {
 
 namespace {
 
-/// Edges that bound nothing: shrunk to a point, or lying inside of a face.
+/// Whether an edge bounds a face: it is neither shrunk to a point nor inside a face.
 bool bounds(const TopoDS_Shape& edge) {
   return !BRep_Tool::Degenerated(TopoDS::Edge(edge)) && edge.Orientation() != TopAbs_INTERNAL &&
          edge.Orientation() != TopAbs_EXTERNAL;
@@ -26,7 +26,7 @@ bool bounds(const TopoDS_Shape& edge) {
 ConnectedFaces connected_faces(const TopoDS_Shape& shape) {
   TopTools_IndexedMapOfShape faces;
   TopExp::MapShapes(shape, TopAbs_FACE, faces);
-  // A face stands twice at an edge where it closes on itself.
+  // A face appears twice at an edge where it closes on itself.
   TopTools_IndexedDataMapOfShapeListOfShape around;
   TopExp::MapShapesAndAncestors(shape, TopAbs_EDGE, TopAbs_FACE, around);
   DisjointSets sets(std::size_t(faces.Extent()) + 1);  // the kernel counts from 1

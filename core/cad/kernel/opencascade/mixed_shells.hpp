@@ -1,6 +1,6 @@
 #pragma once
 
-// Faces of a shape that hang together, and spline faces beside others. Only for this folder.
+// Connected sets of faces, and spline faces beside faces of other kinds. Private to this folder.
 
 #include <TopoDS_Shape.hxx>
 #include <vector>
@@ -9,15 +9,16 @@
 
 namespace hariko {
 
-/// Sets of faces that hang together over common edges, numbered from 0.
+/// Sets of faces connected over common edges, numbered from 0.
 struct ConnectedFaces {
-  std::vector<Index> set_of_face;  ///< of each face, in the explorer's order
-  std::vector<bool> closed;        ///< of each set: no edge of it has a face on one side only
+  std::vector<Index> set_of_face;  ///< by face, in the explorer's order
+  std::vector<bool> closed;        ///< by set: no edge has a face on one side only
 };
+/// Connected sets of the faces of a shape. O(faces + edges).
 ConnectedFaces connected_faces(const TopoDS_Shape& shape);
 
-/// Tells of each face whether one of its set is not `whole` (one flag a face). Such faces become triangles
-/// together, so that they share the points along their edges.
+/// Marks each face whose set contains a face that is not `whole` (one flag a face). All faces of such a set
+/// are triangulated together, so that they share the points along their edges.
 std::vector<bool> beside_others(const ConnectedFaces& faces, const std::vector<bool>& whole);
 
 }  // namespace hariko

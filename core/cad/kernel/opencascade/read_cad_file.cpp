@@ -44,7 +44,7 @@ namespace hariko {
 
 namespace {
 
-/// Seconds of a processor; some damaged files are read for ever.
+/// Limit of processor time, seconds: some damaged files are read for ever.
 constexpr double least_patience = 20, patience_a_megabyte = 60;
 
 Message failed(std::string what) {
@@ -55,7 +55,7 @@ Message cancelled() {
   return make_error(e_cancelled, "The import was cancelled.");
 }
 
-/// Tells how far the kernel is.
+/// Forwards the kernel's progress.
 class Indicator : public Message_ProgressIndicator {
  public:
   explicit Indicator(const std::function<void(double)>& report) : report_(report) {}
@@ -81,7 +81,7 @@ class Collector {
       : shapes_(XCAFDoc_DocumentTool::ShapeTool(document->Main())),
         colours_(XCAFDoc_DocumentTool::ColorTool(document->Main())) {}
 
-  /// E_LIMIT where there are too many.
+  /// Shapes of all parts in their places; E_LIMIT where there are too many.
   Result<std::vector<CadLeaf>> run() {
     TDF_LabelSequence labels;
     shapes_->GetFreeShapes(labels);
@@ -111,7 +111,7 @@ class Collector {
     const auto byte = [](double x) { return std::uint8_t(std::lround(255 * std::clamp(x, 0.0, 1.0))); };
     return std::array{byte(r), byte(g), byte(b)};
   }
-  /// Of its first coloured body, else of its first face.
+  /// Colour of the first solid, else of the first shell, else of the first face, if it has one.
   CadColour inner_colour(const TopoDS_Shape& shape) const {
     for (const TopAbs_ShapeEnum kind : {TopAbs_SOLID, TopAbs_SHELL, TopAbs_FACE})
       if (TopExp_Explorer at(shape, kind); at.More())
@@ -119,8 +119,8 @@ class Collector {
     return {};
   }
 
-  /// The name of a usage says something: components are often called by nothing, by a number, or as the
-  /// entity of STEP that places them (NEXT_ASSEMBLY_USAGE_OCCURRENCE).
+  /// Whether the name of a component's usage is meaningful: often it is empty, a number, or the STEP entity
+  /// that places the component (NEXT_ASSEMBLY_USAGE_OCCURRENCE).
   static bool names_something(const std::string& usage) {
     std::string_view left = usage;
     for (const std::string_view kind : {"NAUO", "NEXT_ASSEMBLY_USAGE_OCCURRENCE"})
@@ -199,7 +199,8 @@ class SceneMaker {
   }
 
  private:
-  /// Of all faces in their order, unless there are too many: then all is triangles.
+  /// Finds the spline faces, in the order of the faces. With too many patches for one object everything
+  /// becomes triangles.
   void find_splines(const std::vector<CadLeaf>& leaves) {
     std::size_t count = 0;
     for (const CadLeaf& leaf : leaves)
@@ -237,7 +238,7 @@ class SceneMaker {
       empty = false;
     }
     if (const double size = diagonal_of(leaf.shape); !empty && size > 0) {
-      BRepTools::Clean(others);  // of triangles that the file brought along
+      BRepTools::Clean(others);  // removes triangles that the file brought along
       Triangulated made =
           triangulated(others, options_.tolerance > 0 ? options_.tolerance : usual_cad_mesh_tolerance * size,
                        options_.angle, range);
@@ -248,8 +249,8 @@ class SceneMaker {
     if (!part.patches.empty() || part.mesh.face_count() > 0) out_.parts.push_back(std::move(part));
   }
 
-  /// Marks the faces of bodies of the next leaf that are closed, but not by the patches of their splines
-  /// alone: these meet with other parameters along some edge.
+  /// Marks faces of the next leaf whose bodies are closed, but not by the patches of their splines alone:
+  /// along some edge these have different parameters.
   void mark_gaps(const ConnectedFaces& faces, std::vector<bool>& mixed) const {
     if (face_ + mixed.size() > splines_.size()) return;
     std::vector<std::vector<std::size_t>> sets(faces.closed.size());
@@ -266,7 +267,7 @@ class SceneMaker {
     }
   }
 
-  /// One flag a face of the leaf that comes next: it is a whole spline.
+  /// Flags, one for each face of the next leaf, that tell whether it is a whole spline.
   std::vector<bool> whole_faces(std::size_t count) const {
     std::vector<bool> out;
     for (std::size_t k = face_; k < face_ + count; ++k)
@@ -276,11 +277,11 @@ class SceneMaker {
 
   const CadReadOptions& options_;
   CadScene out_;
-  std::vector<std::vector<BezierPatch>> splines_;  ///< of each face of the file
+  std::vector<std::vector<BezierPatch>> splines_;  ///< by face of the file
   std::size_t face_ = 0, failed_ = 0, triangles_ = 0, mixed_ = 0;
 };
 
-/// What the kernel's readers have in common, by name.
+/// Steps common to the kernel's readers, which share names but no base class.
 template <class Reader, class Read>
 std::optional<Message> transfer(Reader& reader, const Read& read, KernelDocument& document,
                                 const Message_ProgressRange& range) {
@@ -291,7 +292,7 @@ std::optional<Message> transfer(Reader& reader, const Read& read, KernelDocument
   return {};
 }
 
-/// A file that is nowhere but in memory, for readers that want a path. It is gone with this process.
+/// Path of a file that exists in memory only, for readers that need a path. It vanishes with this process.
 std::optional<std::string> path_in_memory(std::string_view bytes) {
   const int descriptor = ::memfd_create("hariko", MFD_CLOEXEC);
   if (descriptor < 0 || !write_all(descriptor, bytes)) return {};
@@ -311,7 +312,7 @@ std::optional<Message> load_iges(const std::filesystem::path& path, const CadTex
 std::optional<Message> load_step(CadText text, KernelDocument& document, const Message_ProgressRange& range) {
   STEPCAFControl_Reader reader;
   std::istringstream stream(std::move(text.text));
-  // Without a folder in its name no other files are looked for.
+  // Without a folder in its name the reader looks for no other files.
   return transfer(
       reader, [&](auto& r) { return r.ChangeReader().ReadStream("file", stream); }, document, range);
 }
@@ -322,19 +323,19 @@ struct LoadedText {
   bool own = false;  ///< written by this program
 };
 
-/// A file that this program wrote says so within its first lines.
+/// Whether this program wrote the file: it says so within its first lines.
 bool is_own(std::string_view text) {
   const std::string_view head = text.substr(0, 4096);
   return head.find("6Hhariko,") != std::string_view::npos || head.find("'Hariko'") != std::string_view::npos;
 }
 
-/// Fills the document.
+/// Loads a file into the document.
 Result<LoadedText> load(const std::filesystem::path& path, CadFormat format, KernelDocument& document,
                         const Message_ProgressRange& range) {
   auto bytes = read_file(path, max_cad_file_bytes);
   if (!bytes.ok()) return bytes.error();
   Interface_Static::SetCVal("xstep.cascade.unit", "MM");
-  // Else what has no name is called FACE, SOLID or "=>[0:1:1:2]".
+  // Otherwise nameless shapes are called FACE, SOLID or "=>[0:1:1:2]".
   XCAFDoc_ShapeTool::SetAutoNaming(false);
   const bool iges = format == CadFormat::iges;
   auto text = iges ? iges_text_of(std::move(bytes).value()) : step_text_of(std::move(bytes).value());
@@ -356,7 +357,7 @@ Result<CadScene> read(const std::filesystem::path& path, CadFormat format, const
     if (!text.ok()) return text.error();
     const auto leaves = Collector(document.handle()).run();
     if (!leaves.ok()) return leaves.error();
-    // Files of this program have their edges in common already.
+    // Files of this program already share their edges.
     const std::vector<CadLeaf> whole = text->own ? *leaves : sewn(*leaves, format == CadFormat::iges);
     auto made = SceneMaker(options).run(whole, scope.Next());
     if (made.ok()) {

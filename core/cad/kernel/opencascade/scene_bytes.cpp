@@ -11,7 +11,8 @@ namespace hariko {
 
 namespace {
 
-/// Codes are constants of the program, so names are enough to find them again.
+/// Codes that a scene can carry. They are constants of the program, so that a name suffices to find each
+/// again.
 constexpr std::array known_codes{e_cad_read,   e_limit,      e_cancelled,   e_file_open,
                                  e_file_read,  w_cad_faces,  w_cad_patches, w_cad_mark,
                                  w_cad_behind, w_cad_counts, w_cad_letters, w_cad_mixed};

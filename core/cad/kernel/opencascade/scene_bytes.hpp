@@ -1,6 +1,6 @@
 #pragma once
 
-// What was read of a CAD file, as bytes from one process to its parent. Only for this folder.
+// Serialisation of a CAD scene, to pass it from a child process to its parent. Private to this folder.
 
 #include <string>
 #include <string_view>
@@ -9,8 +9,9 @@
 
 namespace hariko {
 
+/// Bytes of a scene or of the error in its place. O(size).
 std::string bytes_of(const Result<CadScene>& scene);
-/// Of bytes that `bytes_of` made (asserted).
+/// Inverse of `bytes_of` (asserted). O(size).
 Result<CadScene> scene_of(std::string_view bytes);
 
 }  // namespace hariko

@@ -34,7 +34,7 @@ TopoDS_Compound compound_of(const std::vector<TopoDS_Shape>& shapes) {
   return out;
 }
 
-/// A closed shell as a solid that looks outward; others as they are.
+/// Solid that looks outward, of a closed shell; other shapes unchanged.
 TopoDS_Shape body_of(const TopoDS_Shape& shape) {
   if (shape.ShapeType() != TopAbs_SHELL || !BRep_Tool::IsClosed(shape)) return shape;
   TopoDS_Solid solid;
@@ -46,11 +46,11 @@ TopoDS_Shape body_of(const TopoDS_Shape& shape) {
 }
 
 struct Sewn {
-  std::vector<TopoDS_Shape> bodies;  ///< of several faces
+  std::vector<TopoDS_Shape> bodies;  ///< bodies of several faces
   std::vector<TopoDS_Shape> alone;   ///< faces that meet no other
 };
 
-/// Nothing where there is no size to sew by, or where the kernel gives up.
+/// Sews a shape; nothing where it has no size to derive the tolerance from, or where the kernel fails.
 std::optional<Sewn> sew(const TopoDS_Shape& shape) {
   Bnd_Box box;
   BRepBndLib::Add(shape, box, false);
@@ -68,7 +68,7 @@ std::optional<Sewn> sew(const TopoDS_Shape& shape) {
   return out;
 }
 
-/// Consists of several shells or faces that may have borders.
+/// Whether a shape consists of several shells or faces that may have borders.
 bool is_in_pieces(const TopoDS_Shape& shape) {
   return count(shape, TopAbs_SOLID) == 0 &&
          count(shape, TopAbs_SHELL) + count(shape, TopAbs_FACE, TopAbs_SHELL) > 1;
@@ -88,7 +88,7 @@ std::string_view stem(std::string_view name) {
   return name.substr(0, last == std::string_view::npos ? 0 : last + 1);
 }
 
-/// The faces that are leaves of their own, and where they come from.
+/// Faces that are leaves of their own, with their origin.
 class LooseFaces {
  public:
   void add(const CadLeaf& leaf) {
@@ -122,7 +122,7 @@ class LooseFaces {
 std::vector<CadLeaf> sewn(std::vector<CadLeaf> leaves, bool loose) {
   LooseFaces faces;
   std::vector<CadLeaf> out;
-  std::optional<std::size_t> first;  // where the loose faces begin
+  std::optional<std::size_t> first;  // position of the loose faces
   for (CadLeaf& leaf : leaves) {
     if (loose && count(leaf.shape, TopAbs_FACE) == 1) {
       if (!first) first = out.size();

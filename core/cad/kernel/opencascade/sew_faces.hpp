@@ -1,6 +1,6 @@
 #pragma once
 
-// Faces that lie edge to edge in a file but do not share their edges. Only for this folder.
+// Sewing of faces that lie edge to edge in a file but do not share their edges. Private to this folder.
 
 #include <TopoDS_Shape.hxx>
 #include <array>
@@ -13,20 +13,21 @@ namespace hariko {
 
 using CadColour = std::optional<std::array<std::uint8_t, 3>>;
 
-/// A shape of a file in its place.
+/// Shape of a file in its place, with name and colour.
 struct CadLeaf {
   TopoDS_Shape shape;
   std::string name;
   CadColour colour;
 };
 
-/// Between borders that are sewn, of the diagonal of what is sewn: a tenth of the tolerance of triangles.
+/// Largest gap between sewn borders, relative to the diagonal of the shape: a tenth of the tolerance of
+/// triangles.
 inline constexpr double sewing_tolerance = 5e-5;
 
-/// Faces and shells of one leaf that lie edge to edge share their edges, and closed shells become solids that
-/// look outward. `loose`: also faces that are leaves of their own, as IGES has them: what can be sewn
-/// together becomes one leaf, with the name that its faces have in common but for a number, and all faces
-/// that stay alone become one. Leaves keep their order.
+/// Leaves with faces and shells that lie edge to edge sewn along them; closed shells become solids that look
+/// outward. `loose`: also sews faces that are leaves of their own, as in IGES: sewn faces become one leaf,
+/// with their common name up to a number, and all faces that remain single become another. Leaves keep their
+/// order.
 std::vector<CadLeaf> sewn(std::vector<CadLeaf> leaves, bool loose);
 
 }  // namespace hariko

@@ -29,7 +29,7 @@ namespace hariko {
 
 namespace {
 
-/// The kernel's own "equal", in millimetres; edges and vertices are never tighter.
+/// Tolerance that the kernel treats as equality, millimetres; no edge or vertex has a smaller one.
 constexpr double least_tolerance = 1e-7;
 
 struct Knots {
@@ -102,7 +102,7 @@ class ShapeMaker {
     return out;
   }
 
-  /// The edge's image in the face's parameters, with the edge's own parameter.
+  /// Curve of an edge in the face's parameters, over the edge's own parameter.
   Handle(Geom2d_Curve) image(const CadEdge& edge, std::size_t use_number) const {
     const CadUse& use = edge.uses[use_number];
     const CadPiece& piece = model_.pieces[use.piece];
@@ -141,7 +141,7 @@ class ShapeMaker {
         const bool both = edge.use_count == 2 && edge.uses[0].piece == edge.uses[1].piece;
         if (!both)
           builder_.UpdateEdge(edges_[e], image(edge, first ? 0 : 1), out, tolerance_of(edge));
-        else if (first)  // an edge along which the face meets itself has both images at once
+        else if (first)  // along an edge where the face meets itself both curves are set at once
           builder_.UpdateEdge(edges_[e], image(edge, 0), image(edge, 1), out, tolerance_of(edge));
         if (edge.degenerate) builder_.Range(edges_[e], out, 0, edge.curve.space.end());
         builder_.Add(wire, edges_[e].Oriented(first ? TopAbs_FORWARD : TopAbs_REVERSED));

@@ -1,6 +1,6 @@
 #pragma once
 
-// A CAD model as OpenCASCADE's boundary representation. Only for the files of this folder.
+// OpenCASCADE boundary representation of a CAD model. Private to this folder.
 
 #include <TopoDS_Shape.hxx>
 
@@ -8,8 +8,8 @@
 
 namespace hariko {
 
-/// Solids of closed shells, looking outward, and open shells; a compound where there are several. Faces share
-/// edges and vertices by construction: nothing is sewn. Adds to the counts of the report.
+/// Solids of the closed shells, looking outward, and open shells; a compound where there are several. Faces
+/// share edges and vertices by construction; nothing is sewn. Adds to the counts of the report.
 TopoDS_Shape shape_of(const CadModel& model, CadFileReport& report);
 
 }  // namespace hariko

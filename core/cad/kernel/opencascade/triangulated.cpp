@@ -17,7 +17,7 @@ namespace hariko {
 
 namespace {
 
-/// Faces take the points along common edges from the edge, so that they are the same to the last bit.
+/// Joins the triangles of faces. Faces take the points along common edges from the edge, bit for bit equal.
 class Welder {
  public:
   explicit Welder(PolygonMesh& mesh) : mesh_(mesh) {}
@@ -34,7 +34,7 @@ class Welder {
   std::map<std::array<double, 3>, Index> numbers_;
 };
 
-/// False where the face has no triangles.
+/// Adds the triangles of a face; false where it has none.
 bool add(const TopoDS_Face& face, Welder& welder, PolygonMesh& mesh) {
   TopLoc_Location location;
   const Handle(Poly_Triangulation) triangles = BRep_Tool::Triangulation(face, location);

@@ -1,6 +1,6 @@
 #pragma once
 
-// Faces as triangles that are joined at common edges. Only for this folder.
+// Triangulation of faces, joined at common edges. Private to this folder.
 
 #include <Message_ProgressRange.hxx>
 #include <TopoDS_Shape.hxx>
@@ -9,13 +9,14 @@
 
 namespace hariko {
 
+/// Triangles of a shape.
 struct Triangulated {
   PolygonMesh mesh;
   std::size_t failed = 0;  ///< faces without triangles
 };
 
-/// Triangles of all faces of a shape, no farther than `tolerance` (mm) from them and with the faces' outside.
-/// Triangles without area between joined corners are left out.
+/// Triangulates all faces of a shape with chordal deviation `tolerance` (mm) and angular deviation `angle`
+/// (radians), oriented as the faces. Triangles that joining corners makes degenerate are left out.
 Triangulated triangulated(const TopoDS_Shape& shape, double tolerance, double angle,
                           const Message_ProgressRange& range);
 

@@ -20,7 +20,7 @@ namespace hariko {
 
 namespace {
 
-/// Of parameters, relative to the rectangle's sides.
+/// Tolerance of parameters on the border, relative to the rectangle's sides.
 constexpr double on_border = 1e-6;
 
 struct Rectangle {
@@ -29,7 +29,7 @@ struct Rectangle {
   double height() const { return v1 - v0; }
 };
 
-/// The edge lies on one side of the rectangle.
+/// Whether the edge lies on one side of the rectangle.
 bool along_side(const TopoDS_Edge& edge, const TopoDS_Face& face, const Rectangle& rectangle) {
   double first = 0, last = 0;
   const Handle(Geom2d_Curve) curve = BRep_Tool::CurveOnSurface(edge, face, first, last);
@@ -47,7 +47,7 @@ bool along_side(const TopoDS_Edge& edge, const TopoDS_Face& face, const Rectangl
   return *std::min_element(farthest.begin(), farthest.end()) <= on_border;
 }
 
-/// Of the face in the parameters of its surface; nothing where its border leaves the sides.
+/// Parameter rectangle of a face; nothing where its border leaves the sides.
 std::optional<Rectangle> rectangle_of(const TopoDS_Face& face) {
   int wires = 0;
   for (TopExp_Explorer wire(face, TopAbs_WIRE); wire.More(); wire.Next()) ++wires;
@@ -77,7 +77,7 @@ Handle(Geom_BSplineSurface) spline_of(const TopoDS_Face& face) {
   return spline;
 }
 
-/// Bounds that are those of the spline but for rounding are taken for them.
+/// Snaps bounds that equal those of the spline but for rounding; false where the rectangle leaves the spline.
 bool fits(Rectangle& rectangle, const Geom_BSplineSurface& spline) {
   double u0 = 0, u1 = 0, v0 = 0, v1 = 0;
   spline.Bounds(u0, u1, v0, v1);

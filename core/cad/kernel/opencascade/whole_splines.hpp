@@ -1,6 +1,6 @@
 #pragma once
 
-// Faces that are whole splines, as Bezier patches. Only for this folder.
+// Faces that are whole splines, as Bezier patches. Private to this folder.
 
 #include <TopoDS_Face.hxx>
 #include <vector>
@@ -9,8 +9,8 @@
 
 namespace hariko {
 
-/// The face's spline in its Bezier pieces, which are exact; none where its surface is something else, of too
-/// high a degree, or where its border does not run along the sides of a rectangle of parameters.
+/// Exact Bezier patches of a face that is a whole spline; none where its surface is of another kind or of too
+/// high a degree, or where its border does not run along the sides of a parameter rectangle.
 std::vector<BezierPatch> whole_spline(const TopoDS_Face& face);
 
 }  // namespace hariko
