@@ -38,7 +38,7 @@
 #include "app/window/interface_text.hpp"
 #include "app/window/signal_watch.hpp"
 #include "app/window/window_icons.hpp"
-#include "core/document/format.hpp"
+#include "core/document/format/format.hpp"
 #include "ui/base/fonts.hpp"
 #include "ui/base/system_information.hpp"
 #include "ui/shell/workbench.hpp"

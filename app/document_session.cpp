@@ -8,8 +8,8 @@
 #include "app/files/file_names.hpp"
 #include "app/files/prepare_meshes.hpp"
 #include "app/jobs/broken_mesh.hpp"
-#include "core/base/printable.hpp"
-#include "core/base/temporary_files.hpp"
+#include "core/base/files/temporary_files.hpp"
+#include "core/base/text/sanitized_utf8.hpp"
 #include "core/document/file.hpp"
 #include "ui/files/join_request.hpp"
 

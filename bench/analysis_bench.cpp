@@ -9,7 +9,7 @@
 #include "core/analysis/continuity.hpp"
 #include "core/analysis/measures.hpp"
 #include "core/analysis/statistics.hpp"
-#include "core/modeling/delete_elements.hpp"
+#include "core/modeling/operations/delete_elements.hpp"
 #include "core/patching/polyhedron_surface.hpp"
 
 namespace hariko {

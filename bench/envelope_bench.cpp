@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "core/document/read_solids.hpp"
+#include "core/document/format/read_solids.hpp"
 #include "core/envelope/ball/tightness.hpp"
 #include "core/envelope/envelope.hpp"
 

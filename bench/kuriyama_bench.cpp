@@ -14,7 +14,7 @@
 #include "core/network/network_system.hpp"
 #include "core/patching/g2_surface.hpp"
 #include "core/patching/polyhedron_surface.hpp"
-#include "core/patching/quartic_patch.hpp"
+#include "core/patching/quartic/quartic_patch.hpp"
 #include "render/display_mesh.hpp"
 
 namespace hariko {

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <filesystem>
 
-#include "core/base/file_io.hpp"
+#include "core/base/files/file_io.hpp"
 #include "render/offscreen.hpp"
 #include "render/renderer.hpp"
 

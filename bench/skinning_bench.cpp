@@ -4,10 +4,10 @@
 
 #include <cmath>
 
-#include "core/base/file_io.hpp"
+#include "core/base/files/file_io.hpp"
 #include "core/base/parallel.hpp"
-#include "core/document/read_skin.hpp"
-#include "core/skinning/column_parameters.hpp"
+#include "core/document/format/read_skin.hpp"
+#include "core/skinning/columns/column_parameters.hpp"
 #include "core/skinning/evaluate_skin.hpp"
 #include "core/surface/tessellation.hpp"
 

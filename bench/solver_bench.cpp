@@ -8,7 +8,7 @@
 
 #include "bench/models.hpp"
 #include "core/network/network_system.hpp"
-#include "core/patching/fair_system.hpp"
+#include "core/patching/fair/fair_system.hpp"
 
 namespace hariko {
 namespace {

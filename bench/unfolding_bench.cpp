@@ -3,7 +3,7 @@
 #include <benchmark/benchmark.h>
 
 #include "bench/models.hpp"
-#include "core/unfolding/cut_search.hpp"
+#include "core/unfolding/cuts/cut_search.hpp"
 #include "core/unfolding/unfolding.hpp"
 
 namespace hariko {

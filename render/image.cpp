@@ -6,8 +6,8 @@
 #include <array>
 #include <cmath>
 
-#include "core/base/file_io.hpp"
-#include "core/base/printable.hpp"
+#include "core/base/files/file_io.hpp"
+#include "core/base/text/sanitized_utf8.hpp"
 
 namespace hariko {
 
@@ -58,7 +58,7 @@ Result<Done> write_png(const std::filesystem::path& path, const Image& image) {
   HARIKO_ASSERT(image.width > 0 && image.height > 0, "a picture has pixels");
   const auto failed = [&](const char* why) {
     return make_error(e_image_encode,
-                      "The picture " + printable(path.string()) + " could not be encoded: " + why + ".",
+                      "The picture " + sanitized_utf8(path.string()) + " could not be encoded: " + why + ".",
                       "Try a smaller picture.");
   };
   PngImage png;
@@ -81,7 +81,7 @@ Result<Image> read_png(const std::filesystem::path& path) {
   if (!bytes) return bytes.error();
   Result<Image> image = decode_png(*bytes, most_pixels);
   if (image) return image;
-  return make_error(e_image_read, "The picture " + printable(path.string()) + ": " + image.error().text,
+  return make_error(e_image_read, "The picture " + sanitized_utf8(path.string()) + ": " + image.error().text,
                     "Check that it is a PNG file.");
 }
 

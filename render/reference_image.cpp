@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "core/base/file_ending.hpp"
+#include "core/base/files/file_ending.hpp"
 #include "render/read_jpeg.hpp"
 
 namespace hariko {

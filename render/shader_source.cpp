@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "core/base/file_io.hpp"
+#include "core/base/files/file_io.hpp"
 
 namespace hariko {
 

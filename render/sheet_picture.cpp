@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/unfolding/write_sheets.hpp"
+#include "core/unfolding/pages/write_sheets.hpp"
 #include "render/text_painter.hpp"
 
 namespace hariko {

@@ -2,7 +2,7 @@
 
 // Pictures of the pages of a paper model.
 
-#include "core/unfolding/sheet_drawing.hpp"
+#include "core/unfolding/pages/sheet_drawing.hpp"
 #include "render/image.hpp"
 
 namespace hariko {

@@ -19,12 +19,12 @@ cmake --build build/coverage --target "${formats[@]/%/_fuzz}"
 readers() {
   case "$1" in
     obj | off | stl) echo "core/exchange/read_$1.cpp core/exchange/text_scanner.cpp" ;;
-    ply) echo "core/exchange/read_ply.cpp core/exchange/ply_header.cpp core/exchange/text_scanner.cpp" ;;
+    ply) echo "core/exchange/triangles/read_ply.cpp core/exchange/triangles/ply_header.cpp core/exchange/text_scanner.cpp" ;;
     patches) echo "core/exchange/read_patches.cpp core/exchange/text_scanner.cpp" ;;
-    gltf) echo "core/exchange/read_gltf.cpp core/exchange/gltf_container.cpp core/exchange/gltf_fields.cpp" \
-      "core/exchange/gltf_accessor.cpp core/exchange/scene_collector.cpp" ;;
-    three_mf) echo "core/exchange/read_3mf.cpp core/exchange/model_3mf.cpp core/exchange/xml_reader.cpp" \
-      "core/exchange/zip_reader.cpp core/exchange/scene_collector.cpp" ;;
+    gltf) echo "core/exchange/gltf/read_gltf.cpp core/exchange/gltf/gltf_container.cpp core/exchange/gltf/gltf_fields.cpp" \
+      "core/exchange/gltf/gltf_accessor.cpp core/exchange/scene_collector.cpp" ;;
+    three_mf) echo "core/exchange/archive_3mf/read_3mf.cpp core/exchange/archive_3mf/model_3mf.cpp core/exchange/archive_3mf/xml_reader.cpp" \
+      "core/exchange/archive_3mf/zip_reader.cpp core/exchange/scene_collector.cpp" ;;
     cad_text) echo "core/cad/kernel/cad_text.cpp" ;;
     document) find core/document -name 'read_*.cpp' -o -name 'json_*.cpp' | sort ;;
     *) echo "fuzz_coverage.sh: no reader is known for '$1'" >&2; return 1 ;;

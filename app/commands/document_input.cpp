@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "app/commands/console.hpp"
-#include "core/document/edit_objects.hpp"
+#include "core/document/edits/edit_objects.hpp"
 #include "core/envelope/ball/tightness.hpp"
 
 namespace hariko {

@@ -6,7 +6,7 @@
 #include "app/commands/console.hpp"
 #include "app/commands/document_input.hpp"
 #include "app/commands/shown_objects.hpp"
-#include "core/base/file_io.hpp"
+#include "core/base/files/file_io.hpp"
 #include "render/drawing_camera.hpp"
 
 namespace hariko {

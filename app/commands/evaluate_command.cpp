@@ -7,7 +7,7 @@
 #include "app/commands/skin_evaluation.hpp"
 #include "app/commands/solids_evaluation.hpp"
 #include "app/commands/tension_file.hpp"
-#include "core/base/file_io.hpp"
+#include "core/base/files/file_io.hpp"
 
 namespace hariko {
 

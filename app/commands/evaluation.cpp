@@ -6,10 +6,10 @@
 #include "app/commands/ring_residual.hpp"
 #include "core/analysis/continuity.hpp"
 #include "core/analysis/measures.hpp"
-#include "core/base/json_writer.hpp"
-#include "core/modeling/surface_input.hpp"
-#include "core/patching/fair_elements.hpp"
-#include "core/patching/quartic_patch.hpp"
+#include "core/base/text/json_writer.hpp"
+#include "core/modeling/surfacing/surface_input.hpp"
+#include "core/patching/fair/fair_elements.hpp"
+#include "core/patching/quartic/quartic_patch.hpp"
 
 namespace hariko {
 

@@ -6,7 +6,7 @@
 #include "app/commands/console.hpp"
 #include "app/commands/document_input.hpp"
 #include "app/commands/object_info.hpp"
-#include "core/base/printable.hpp"
+#include "core/base/text/sanitized_utf8.hpp"
 
 namespace hariko {
 
@@ -35,7 +35,7 @@ class Describer {
       if (!head.empty() && !print((objects_.empty() ? "" : "\n") + head)) return false;
       std::optional<ObjectInfo> info;
       {
-        const ProgressLine line(place + printable(object->name, 60) + ": measuring");
+        const ProgressLine line(place + sanitized_utf8(object->name, 60) + ": measuring");
         info = inspect(*input_.document, *object, against);
       }
       if (!take(*std::move(info), head)) return false;

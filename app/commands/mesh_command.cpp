@@ -8,8 +8,8 @@
 #include "app/files/export_surfaces.hpp"
 #include "app/files/left_out.hpp"
 #include "app/files/mesh_surfaces.hpp"
-#include "core/base/file_io.hpp"
-#include "core/base/json_writer.hpp"
+#include "core/base/files/file_io.hpp"
+#include "core/base/text/json_writer.hpp"
 #include "core/exchange/mesh_file.hpp"
 #include "core/exchange/number_text.hpp"
 

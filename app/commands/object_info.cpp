@@ -8,16 +8,16 @@
 #include "app/commands/console.hpp"
 #include "core/analysis/continuity.hpp"
 #include "core/analysis/measures.hpp"
-#include "core/document/format_names.hpp"
+#include "core/document/format/format_names.hpp"
 #include "core/envelope/scene_symmetry.hpp"
 #include "core/gaussmap/control_points.hpp"
 #include "core/gaussmap/outline_polyhedron.hpp"
-#include "core/modeling/attached.hpp"
+#include "core/modeling/surfacing/object_surfacer.hpp"
 #include "core/polyhedron/half_edge_mesh.hpp"
 #include "core/polyhedron/validation.hpp"
 #include "core/skinning/local_skin.hpp"
-#include "core/skinning/mesh_report.hpp"
-#include "core/skinning/regular_faces.hpp"
+#include "core/subdivision/mesh_report.hpp"
+#include "core/subdivision/regular_faces.hpp"
 
 namespace hariko {
 

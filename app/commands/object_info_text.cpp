@@ -7,7 +7,7 @@
 #include <variant>
 
 #include "app/commands/object_info.hpp"
-#include "core/base/json_writer.hpp"
+#include "core/base/text/json_writer.hpp"
 #include "core/polyhedron/message_summary.hpp"
 
 namespace hariko {

@@ -1,7 +1,7 @@
 #include "app/commands/outline_evaluation.hpp"
 
-#include "core/base/json_writer.hpp"
-#include "core/document/format_names.hpp"
+#include "core/base/text/json_writer.hpp"
+#include "core/document/format/format_names.hpp"
 #include "core/gaussmap/control_points.hpp"
 
 namespace hariko {

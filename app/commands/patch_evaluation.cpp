@@ -7,8 +7,8 @@
 #include "core/analysis/curvature.hpp"
 #include "core/analysis/measures.hpp"
 #include "core/base/assert.hpp"
-#include "core/base/json_writer.hpp"
-#include "core/modeling/attached.hpp"
+#include "core/base/text/json_writer.hpp"
+#include "core/modeling/surfacing/object_surfacer.hpp"
 #include "core/surface/tensor_bezier.hpp"
 
 namespace hariko {

@@ -3,7 +3,7 @@
 // Residual of the G1 conditions round a vertex for plain quartic patches.
 
 #include "core/document/source.hpp"
-#include "core/patching/quartic_patch.hpp"
+#include "core/patching/quartic/quartic_patch.hpp"
 
 namespace hariko {
 

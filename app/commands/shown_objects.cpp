@@ -6,7 +6,7 @@
 #include "core/analysis/combs.hpp"
 #include "core/analysis/continuity.hpp"
 #include "core/document/object_shape.hpp"
-#include "core/modeling/attached.hpp"
+#include "core/modeling/surfacing/object_surfacer.hpp"
 #include "render/picture.hpp"
 #include "render/surface_maps.hpp"
 #include "ui/editor/object_lines.hpp"

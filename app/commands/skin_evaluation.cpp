@@ -1,9 +1,9 @@
 #include "app/commands/skin_evaluation.hpp"
 
-#include "core/base/json_writer.hpp"
+#include "core/base/text/json_writer.hpp"
 #include "core/skinning/local_skin.hpp"
-#include "core/skinning/mesh_report.hpp"
-#include "core/skinning/regular_faces.hpp"
+#include "core/subdivision/mesh_report.hpp"
+#include "core/subdivision/regular_faces.hpp"
 
 namespace hariko {
 

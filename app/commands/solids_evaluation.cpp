@@ -1,6 +1,6 @@
 #include "app/commands/solids_evaluation.hpp"
 
-#include "core/base/json_writer.hpp"
+#include "core/base/text/json_writer.hpp"
 #include "core/envelope/envelope.hpp"
 #include "core/envelope/scene_symmetry.hpp"
 

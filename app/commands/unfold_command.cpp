@@ -7,7 +7,7 @@
 #include "app/files/sheet_file.hpp"
 #include "core/exchange/number_text.hpp"
 #include "core/unfolding/cut_large_faces.hpp"
-#include "core/unfolding/sheet_drawing.hpp"
+#include "core/unfolding/pages/sheet_drawing.hpp"
 #include "core/unfolding/unfolding.hpp"
 
 namespace hariko {

@@ -3,7 +3,7 @@
 // GaussEngine: computes the displayed Gauss sphere, off the main thread.
 
 #include "app/engines/work_lane.hpp"
-#include "core/gaussmap/gauss_sphere.hpp"
+#include "core/gaussmap/sphere/gauss_sphere.hpp"
 #include "ui/editor/editor.hpp"
 #include "ui/editor/gauss_view.hpp"
 

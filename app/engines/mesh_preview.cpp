@@ -8,9 +8,9 @@
 
 #include "app/files/reference_facets.hpp"
 #include "core/approximation/approximate.hpp"
-#include "core/approximation/decimate.hpp"
+#include "core/approximation/decimation/decimate.hpp"
 #include "core/approximation/error_map.hpp"
-#include "core/modeling/attached.hpp"
+#include "core/modeling/surfacing/object_surfacer.hpp"
 #include "core/surface/facets.hpp"
 
 namespace hariko {

@@ -8,7 +8,7 @@
 #include <set>
 
 #include "app/engines/work_lane.hpp"
-#include "core/modeling/attached.hpp"
+#include "core/modeling/surfacing/object_surfacer.hpp"
 #include "ui/base/recompute.hpp"
 #include "ui/editor/surface_view.hpp"
 #include "ui/editor/view_map.hpp"

@@ -3,8 +3,8 @@
 #include <set>
 #include <system_error>
 
-#include "core/base/file_io.hpp"
-#include "core/base/printable.hpp"
+#include "core/base/files/file_io.hpp"
+#include "core/base/text/sanitized_utf8.hpp"
 #include "render/reference_image.hpp"
 
 namespace hariko {
@@ -19,9 +19,9 @@ ReferenceView read_reference(const std::string& path, const Shared<std::string>&
   if (packed->empty()) {
     std::error_code unknown;
     if (std::filesystem::path(path).is_relative()) {
-      view.error = make_error(e_file_open,
-                              "The picture " + printable(path) + " is named without the folder it lies in.",
-                              "Save the document, or find the picture again.");
+      view.error = make_error(
+          e_file_open, "The picture " + sanitized_utf8(path) + " is named without the folder it lies in.",
+          "Save the document, or find the picture again.");
       return view;
     }
     if (!decode && std::filesystem::is_regular_file(path, unknown)) return view;
@@ -125,7 +125,7 @@ void ReferenceLoader::tell_missing() {
     ++count;
     if (count > most_names) continue;
     const std::string name = std::filesystem::path(key.first).filename().string();
-    names += (count > 1 ? ", " : "") + printable(name.empty() ? std::string("?") : name);
+    names += (count > 1 ? ", " : "") + sanitized_utf8(name.empty() ? std::string("?") : name);
   }
   if (count == 0) return;
   if (count > most_names) names += ", \u2026";

@@ -7,7 +7,7 @@
 #include "app/files/reference_facets.hpp"
 #include "core/analysis/combs.hpp"
 #include "core/analysis/continuity.hpp"
-#include "core/modeling/merged_faces.hpp"
+#include "core/modeling/surfacing/merged_faces.hpp"
 #include "core/polyhedron/validation.hpp"
 #include "render/surface_maps.hpp"
 

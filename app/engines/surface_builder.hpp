@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "app/engines/rebuild_engine.hpp"
-#include "core/modeling/attached.hpp"
+#include "core/modeling/surfacing/object_surfacer.hpp"
 
 namespace hariko {
 

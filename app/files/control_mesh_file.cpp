@@ -2,8 +2,8 @@
 
 #include <deque>
 
-#include "core/base/file_io.hpp"
-#include "core/exchange/write_control_mesh.hpp"
+#include "core/base/files/file_io.hpp"
+#include "core/exchange/obj/write_control_mesh.hpp"
 #include "core/skinning/evaluate_skin.hpp"
 #include "core/skinning/local_skin.hpp"
 

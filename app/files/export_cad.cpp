@@ -9,10 +9,10 @@
 
 #include "app/files/export_surfaces.hpp"
 #include "app/files/left_out.hpp"
-#include "core/base/file_io.hpp"
+#include "core/base/files/file_io.hpp"
 #include "core/cad/cad_measure.hpp"
 #include "core/exchange/mesh_file.hpp"
-#include "core/modeling/attached.hpp"
+#include "core/modeling/surfacing/object_surfacer.hpp"
 
 namespace hariko {
 

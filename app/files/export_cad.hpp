@@ -11,7 +11,7 @@
 #include "core/base/progress.hpp"
 #include "core/cad/cad_totals.hpp"
 #include "core/cad/kernel/cad_file.hpp"
-#include "core/document/cad_choices.hpp"
+#include "core/document/format/cad_choices.hpp"
 
 namespace hariko {
 

@@ -6,7 +6,7 @@
 #include "app/files/reference_facets.hpp"
 #include "core/document/object_shape.hpp"
 #include "core/exchange/mesh_file.hpp"
-#include "core/modeling/attached.hpp"
+#include "core/modeling/surfacing/object_surfacer.hpp"
 
 namespace hariko {
 

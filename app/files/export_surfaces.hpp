@@ -9,7 +9,7 @@
 #include "core/base/cancellation.hpp"
 #include "core/base/progress.hpp"
 #include "core/document/document.hpp"
-#include "core/document/file_choices.hpp"
+#include "core/document/format/file_choices.hpp"
 #include "core/exchange/mesh_file.hpp"
 
 namespace hariko {

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <string>
 
-#include "core/base/printable.hpp"
+#include "core/base/text/sanitized_utf8.hpp"
 
 namespace hariko {
 

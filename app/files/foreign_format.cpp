@@ -4,8 +4,8 @@
 #include <string>
 #include <string_view>
 
-#include "core/base/file_ending.hpp"
-#include "core/base/printable.hpp"
+#include "core/base/files/file_ending.hpp"
+#include "core/base/text/sanitized_utf8.hpp"
 #include "core/exchange/imported_mesh.hpp"
 
 namespace hariko {
@@ -53,7 +53,7 @@ bool has_foreign_ending(const std::filesystem::path& file) {
 }
 
 Message foreign_format(const std::filesystem::path& file) {
-  const std::string name = "\"" + printable(file.filename().string(), 200) + "\"";
+  const std::string name = "\"" + sanitized_utf8(file.filename().string(), 200) + "\"";
   if (const ForeignFormat* known = found(file))
     return make_error(e_format_unknown, name + " is " + known->what + ", which is not read.", known->remedy);
   return make_error(e_format_unknown, name + " is not a file that can be read.",

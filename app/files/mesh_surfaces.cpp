@@ -4,10 +4,10 @@
 
 #include "app/files/export_surfaces.hpp"
 #include "app/files/reference_facets.hpp"
-#include "core/approximation/decimate.hpp"
+#include "core/approximation/decimation/decimate.hpp"
 #include "core/document/object_box.hpp"
 #include "core/document/object_shape.hpp"
-#include "core/modeling/attached.hpp"
+#include "core/modeling/surfacing/object_surfacer.hpp"
 
 namespace hariko {
 

@@ -6,10 +6,10 @@
 #include "app/files/export_surfaces.hpp"
 #include "app/files/open_file.hpp"
 #include "core/approximation/approximate.hpp"
-#include "core/document/edit_paper.hpp"
-#include "core/exchange/clean_part.hpp"
+#include "core/document/edits/edit_paper.hpp"
 #include "core/exchange/mesh_file.hpp"
-#include "core/modeling/attached.hpp"
+#include "core/exchange/repair/clean_part.hpp"
+#include "core/modeling/surfacing/object_surfacer.hpp"
 #include "core/unfolding/facet_graph.hpp"
 #include "core/unfolding/join_corners.hpp"
 

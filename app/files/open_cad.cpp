@@ -1,7 +1,7 @@
 #include "app/files/open_cad.hpp"
 
 #include "core/cad/kernel/read_cad_file.hpp"
-#include "core/document/edit_objects.hpp"
+#include "core/document/edits/edit_objects.hpp"
 
 namespace hariko {
 

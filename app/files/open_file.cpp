@@ -8,22 +8,22 @@
 #include "app/files/foreign_format.hpp"
 #include "app/files/open_cad.hpp"
 #include "app/files/reading.hpp"
-#include "core/base/file_ending.hpp"
-#include "core/base/file_io.hpp"
-#include "core/base/printable.hpp"
+#include "core/base/files/file_ending.hpp"
+#include "core/base/files/file_io.hpp"
+#include "core/base/text/sanitized_utf8.hpp"
 #include "core/cad/kernel/cad_file.hpp"
-#include "core/document/edit_objects.hpp"
-#include "core/document/edit_solids.hpp"
+#include "core/document/edits/edit_objects.hpp"
+#include "core/document/edits/edit_solids.hpp"
 #include "core/document/file.hpp"
-#include "core/document/format.hpp"
-#include "core/document/read_outline.hpp"
-#include "core/document/read_skin.hpp"
-#include "core/document/read_solids.hpp"
+#include "core/document/format/format.hpp"
+#include "core/document/format/read_outline.hpp"
+#include "core/document/format/read_skin.hpp"
+#include "core/document/format/read_solids.hpp"
+#include "core/exchange/gltf/detect_json_format.hpp"
 #include "core/exchange/imported_mesh.hpp"
-#include "core/exchange/json_kind.hpp"
 #include "core/exchange/mesh_file.hpp"
 #include "core/exchange/read_patches.hpp"
-#include "core/modeling/patch_objects.hpp"
+#include "core/modeling/objects/patch_objects.hpp"
 #include "core/polyhedron/validation.hpp"
 #include "core/surface/weld_patches.hpp"
 
@@ -156,7 +156,7 @@ void open_mesh(const std::filesystem::path& file, const CancelToken& cancel, con
   MeshObjects objects(opened);
   for (ImportedPart& part : scene.parts) {
     if (cancel.cancelled()) return;
-    const std::string own = printable(part.name, Object::max_name_length);
+    const std::string own = sanitized_utf8(part.name, Object::max_name_length);
     const std::string name = check_name(own).ok() ? own : opened.name;
     if (alone) opened.name = name;
     clean(part, join, opened.cleaned);
@@ -278,7 +278,7 @@ const Message* OpenedFile::error() const {
 OpenedFile open_file(const std::filesystem::path& file, const CancelToken& cancel, const Progress& progress,
                      const JoinChoice& join) {
   OpenedFile opened;
-  opened.name = printable(file.stem().string(), Object::max_name_length);
+  opened.name = sanitized_utf8(file.stem().string(), Object::max_name_length);
   if (!check_name(opened.name).ok()) opened.name = "mesh";
   if (format_of_extension(file)) {
     opened.meshes = true;

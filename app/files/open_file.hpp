@@ -9,7 +9,7 @@
 #include "core/base/cancellation.hpp"
 #include "core/base/progress.hpp"
 #include "core/document/document.hpp"
-#include "core/exchange/clean_part.hpp"
+#include "core/exchange/repair/clean_part.hpp"
 #include "core/polyhedron/repair.hpp"
 
 namespace hariko {

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "core/document/edits.hpp"
-#include "core/modeling/sharp_edges.hpp"
+#include "core/document/edits/edits.hpp"
+#include "core/modeling/operations/sharp_edges.hpp"
 
 namespace hariko {
 

@@ -3,7 +3,7 @@
 // Designer's choices for an opened mesh file.
 
 #include "app/files/open_file.hpp"
-#include "core/exchange/mesh_import.hpp"
+#include "core/exchange/repair/mesh_import.hpp"
 
 namespace hariko {
 

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "core/exchange/clean_part.hpp"
+#include "core/exchange/repair/clean_part.hpp"
 #include "core/polyhedron/repair.hpp"
 
 namespace hariko {

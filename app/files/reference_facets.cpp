@@ -1,6 +1,6 @@
 #include "app/files/reference_facets.hpp"
 
-#include "core/exchange/triangulate.hpp"
+#include "core/exchange/repair/triangulate.hpp"
 #include "core/surface/facets.hpp"
 
 namespace hariko {

@@ -1,8 +1,8 @@
 #include "app/files/sheet_file.hpp"
 
-#include "core/base/file_ending.hpp"
-#include "core/base/file_io.hpp"
-#include "core/unfolding/write_sheets.hpp"
+#include "core/base/files/file_ending.hpp"
+#include "core/base/files/file_io.hpp"
+#include "core/unfolding/pages/write_sheets.hpp"
 #include "render/sheet_picture.hpp"
 
 namespace hariko {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/base/result.hpp"
-#include "core/unfolding/sheet_drawing.hpp"
+#include "core/unfolding/pages/sheet_drawing.hpp"
 
 namespace hariko {
 

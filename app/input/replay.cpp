@@ -7,9 +7,9 @@
 #include <sstream>
 #include <utility>
 
-#include "core/base/file_io.hpp"
-#include "core/base/json_writer.hpp"
-#include "core/document/format.hpp"
+#include "core/base/files/file_io.hpp"
+#include "core/base/text/json_writer.hpp"
+#include "core/document/format/format.hpp"
 
 namespace hariko {
 

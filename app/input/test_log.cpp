@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-#include "core/base/json_writer.hpp"
+#include "core/base/text/json_writer.hpp"
 #include "ui/editor/selection_text.hpp"
 
 namespace hariko {

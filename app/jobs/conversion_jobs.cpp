@@ -2,9 +2,9 @@
 
 #include <utility>
 
-#include "core/document/edits.hpp"
-#include "core/modeling/convert_object.hpp"
-#include "core/modeling/skin_polyhedron.hpp"
+#include "core/document/edits/edits.hpp"
+#include "core/modeling/surfacing/convert_object.hpp"
+#include "core/modeling/surfacing/skin_polyhedron.hpp"
 #include "render/color_map.hpp"
 #include "ui/editor/editor.hpp"
 

@@ -1,6 +1,6 @@
 #include "app/jobs/drawing_export.hpp"
 
-#include "core/base/file_io.hpp"
+#include "core/base/files/file_io.hpp"
 #include "core/drawing/write_drawing_svg.hpp"
 
 namespace hariko {

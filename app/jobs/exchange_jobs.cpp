@@ -12,7 +12,7 @@
 #include "app/jobs/broken_mesh.hpp"
 #include "app/jobs/export_triangles.hpp"
 #include "core/document/convert_unit.hpp"
-#include "core/document/edit_objects.hpp"
+#include "core/document/edits/edit_objects.hpp"
 #include "ui/editor/selected_items.hpp"
 #include "ui/files/export_text.hpp"
 #include "ui/files/join_request.hpp"

@@ -4,8 +4,8 @@
 #include <memory>
 #include <utility>
 
-#include "core/base/file_io.hpp"
-#include "core/base/printable.hpp"
+#include "core/base/files/file_io.hpp"
+#include "core/base/text/sanitized_utf8.hpp"
 #include "render/reference_image.hpp"
 #include "ui/editor/new_object.hpp"
 #include "ui/editor/reference_pictures.hpp"
@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 namespace {
 
 std::string name_of_file(const fs::path& path) {
-  return printable(path.filename().string());
+  return sanitized_utf8(path.filename().string());
 }
 
 fs::path normal_path(const fs::path& path) {
@@ -28,7 +28,7 @@ fs::path normal_path(const fs::path& path) {
 
 /// Name for a picture's object: that of the file without its ending.
 std::string object_name(const fs::path& path) {
-  std::string name = printable(path.stem().string(), Object::max_name_length - 8);
+  std::string name = sanitized_utf8(path.stem().string(), Object::max_name_length - 8);
   return check_name(name).ok() ? name : std::string(translatable("Picture"));
 }
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "app/jobs/background_work.hpp"
-#include "core/document/edit_pictures.hpp"
+#include "core/document/edits/edit_pictures.hpp"
 #include "ui/files/file_actions.hpp"
 
 namespace hariko {

@@ -4,8 +4,8 @@
 
 #include "app/files/control_mesh_file.hpp"
 #include "app/files/left_out.hpp"
-#include "core/document/edits.hpp"
-#include "core/skinning/add_section.hpp"
+#include "core/document/edits/edits.hpp"
+#include "core/skinning/edit/add_section.hpp"
 #include "ui/base/columns_job.hpp"
 #include "ui/editor/skin_edits.hpp"
 

@@ -10,7 +10,7 @@
 
 #include "app/engines/rebuild_engine.hpp"
 #include "app/jobs/background_work.hpp"
-#include "core/skinning/skin_edit.hpp"
+#include "core/skinning/edit/skin_edit.hpp"
 
 namespace hariko {
 

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <system_error>
 
-#include "core/base/file_io.hpp"
+#include "core/base/files/file_io.hpp"
 
 namespace hariko {
 

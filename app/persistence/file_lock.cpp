@@ -15,8 +15,8 @@
 #include <system_error>
 #include <utility>
 
-#include "core/base/json_writer.hpp"
-#include "core/base/printable.hpp"
+#include "core/base/text/json_writer.hpp"
+#include "core/base/text/sanitized_utf8.hpp"
 
 namespace hariko {
 
@@ -34,12 +34,12 @@ std::string first_line(const char* path) {
 
 std::string host_name() {
   std::array<char, 256> name{};
-  return ::gethostname(name.data(), name.size() - 1) == 0 ? printable(name.data()) : std::string();
+  return ::gethostname(name.data(), name.size() - 1) == 0 ? sanitized_utf8(name.data()) : std::string();
 }
 
 std::string user_name() {
   const passwd* entry = ::getpwuid(::getuid());
-  return entry && entry->pw_name ? printable(entry->pw_name) : std::to_string(::getuid());
+  return entry && entry->pw_name ? sanitized_utf8(entry->pw_name) : std::to_string(::getuid());
 }
 
 /// Start time of a process: field 22 of /proc/<process>/stat; 0 where there is no such process.

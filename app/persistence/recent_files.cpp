@@ -4,9 +4,9 @@
 #include <nlohmann/json.hpp>
 #include <system_error>
 
-#include "core/base/file_io.hpp"
-#include "core/base/file_uri.hpp"
-#include "core/base/json_writer.hpp"
+#include "core/base/files/file_io.hpp"
+#include "core/base/files/file_uri.hpp"
+#include "core/base/text/json_writer.hpp"
 
 namespace hariko {
 

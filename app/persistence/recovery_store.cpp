@@ -4,7 +4,7 @@
 #include <random>
 #include <system_error>
 
-#include "core/base/printable.hpp"
+#include "core/base/text/sanitized_utf8.hpp"
 #include "core/document/file.hpp"
 
 namespace hariko {
@@ -19,7 +19,7 @@ constexpr std::string_view lock_end = ".lock";
 Message folder_error(const fs::path& folder, const std::string& reason) {
   return make_error(
       e_recovery_folder,
-      "Unsaved work cannot be kept for recovery in " + printable(folder.string()) + ": " + reason + ".",
+      "Unsaved work cannot be kept for recovery in " + sanitized_utf8(folder.string()) + ": " + reason + ".",
       "Save often, and free space or repair the permissions of this folder.");
 }
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "app/persistence/file_lock.hpp"
-#include "core/document/recovery.hpp"
+#include "core/document/history/recovery.hpp"
 
 namespace hariko {
 

@@ -12,7 +12,7 @@
 #include <system_error>
 #include <utility>
 
-#include "core/base/printable.hpp"
+#include "core/base/text/sanitized_utf8.hpp"
 
 namespace hariko {
 
@@ -59,7 +59,7 @@ void RunLog::line(std::string_view what, std::string_view text) const noexcept {
     if (const auto size = fs::file_size(file_, unknown); !unknown && size >= largest)
       fs::rename(file_, file_.parent_path() / "log.old.txt", unknown);
     append(file_, time_text() + " " + std::to_string(::getpid()) + " " + std::string(what) + " " +
-                      printable(without_home(std::string(text), home_), longest_text) + "\n");
+                      sanitized_utf8(without_home(std::string(text), home_), longest_text) + "\n");
   } catch (const std::exception&) {
     // Not enough memory even for a line.
   }

@@ -8,8 +8,8 @@
 #include <system_error>
 #include <utility>
 
-#include "core/base/file_io.hpp"
-#include "core/base/printable.hpp"
+#include "core/base/files/file_io.hpp"
+#include "core/base/text/sanitized_utf8.hpp"
 #include "core/drawing/write_drawing_svg.hpp"
 #include "core/exchange/mesh_file.hpp"
 #include "render/picture.hpp"
@@ -310,8 +310,9 @@ SettingsFile::Loaded SettingsFile::load() {
     fs::rename(file_, kept, error);
     loaded.problems.push_back(make_warning(
         w_settings_broken,
-        "The settings in " + printable(file_.string()) + " cannot be read. The defaults are used.",
-        error ? std::string() : "The broken file is kept as " + printable(kept.filename().string()) + "."));
+        "The settings in " + sanitized_utf8(file_.string()) + " cannot be read. The defaults are used.",
+        error ? std::string()
+              : "The broken file is kept as " + sanitized_utf8(kept.filename().string()) + "."));
     return loaded;
   }
   kept_ = *text;

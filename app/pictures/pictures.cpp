@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "app/pictures/file_pictures.hpp"
-#include "core/base/file_stamp.hpp"
-#include "core/base/file_uri.hpp"
+#include "core/base/files/file_stamp.hpp"
+#include "core/base/files/file_uri.hpp"
 
 namespace hariko {
 

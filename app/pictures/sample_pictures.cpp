@@ -6,7 +6,7 @@
 
 #include "app/pictures/file_pictures.hpp"
 #include "app/pictures/samples.hpp"
-#include "core/base/file_io.hpp"
+#include "core/base/files/file_io.hpp"
 #include "render/picture.hpp"
 #include "ui/view/view_pictures.hpp"
 

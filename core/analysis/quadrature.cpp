@@ -1,6 +1,6 @@
 #include "core/analysis/quadrature.hpp"
 
-#include "core/base/gauss.hpp"
+#include "core/base/gauss_legendre.hpp"
 
 namespace hariko {
 

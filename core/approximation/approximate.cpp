@@ -3,11 +3,11 @@
 #include <Eigen/Geometry>
 #include <numbers>
 
-#include "core/approximation/balance.hpp"
-#include "core/approximation/bisection.hpp"
+#include "core/approximation/decimation/offset_vertices.hpp"
+#include "core/approximation/decimation/optimise.hpp"
 #include "core/approximation/mesh_report.hpp"
-#include "core/approximation/optimise.hpp"
-#include "core/approximation/start_mesh.hpp"
+#include "core/approximation/refinement/bisection.hpp"
+#include "core/approximation/refinement/cell_sizes.hpp"
 
 namespace hariko {
 

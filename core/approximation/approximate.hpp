@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/approximation/mesh_options.hpp"
-#include "core/approximation/parameter_mesh.hpp"
+#include "core/approximation/refinement/parameter_mesh.hpp"
 #include "core/base/cancellation.hpp"
 #include "core/base/progress.hpp"
 #include "core/base/result.hpp"

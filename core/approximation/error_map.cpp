@@ -5,7 +5,7 @@
 #include <numeric>
 
 #include "core/approximation/mesh_options.hpp"
-#include "core/approximation/surface_foot.hpp"
+#include "core/approximation/surface_projector.hpp"
 #include "core/base/assert.hpp"
 #include "core/base/parallel.hpp"
 #include "core/geometry/angles.hpp"
@@ -47,7 +47,7 @@ class ErrorMapper {
     progress.report(0.4);
     look_round_the_largest();
     progress.report(0.5);
-    const SurfaceFeet feet(sampler_);
+    const SurfaceProjector feet(sampler_);
     measure_mesh(feet);
     progress.report(0.9);
     measure_folds(feet);
@@ -216,7 +216,7 @@ class ErrorMapper {
     }
   }
 
-  void measure_mesh(const SurfaceFeet& feet) {
+  void measure_mesh(const SurfaceProjector& feet) {
     ErrorField& field = map_.mesh_distance;
     field.points.assign(positions_.size(), 0.0F);
     std::vector<char> used(positions_.size(), 0);
@@ -264,7 +264,7 @@ class ErrorMapper {
     }
   };
   /// Normal of the surface beside an edge, on a facet's side of it.
-  Vector3 normal_beside(const SurfaceFeet& feet, const Edge& edge) const {
+  Vector3 normal_beside(const SurfaceProjector& feet, const Edge& edge) const {
     if (!parts_.empty() && parts_[edge.facet].pole < 0) {
       const auto& w = parts_[edge.facet].parameter;
       return sampler_.normal(parts_[edge.facet].patch, 0.5 * (w[edge.corner] + w[(edge.corner + 1) % 3]));
@@ -274,7 +274,7 @@ class ErrorMapper {
     const SurfaceFoot foot = feet.foot(middle + beside * (p[(edge.corner + 2) % 3] - middle));
     return sampler_.normal(foot.patch, foot.parameter);
   }
-  void measure_folds(const SurfaceFeet& feet) {
+  void measure_folds(const SurfaceProjector& feet) {
     if (cancel_.cancelled()) return;
     ErrorField& field = map_.fold_angle;
     field.facets.assign(facet_count(), 0.0F);

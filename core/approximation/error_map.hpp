@@ -8,8 +8,8 @@
 #include <string_view>
 #include <vector>
 
-#include "core/approximation/fold_error.hpp"
-#include "core/approximation/parameter_mesh.hpp"
+#include "core/approximation/refinement/fold_error.hpp"
+#include "core/approximation/refinement/parameter_mesh.hpp"
 #include "core/base/cancellation.hpp"
 #include "core/base/progress.hpp"
 #include "core/base/result.hpp"

@@ -4,7 +4,7 @@
 #include <limits>
 #include <numeric>
 
-#include "core/approximation/fold_error.hpp"
+#include "core/approximation/refinement/fold_error.hpp"
 #include "core/base/parallel.hpp"
 #include "core/geometry/angles.hpp"
 #include "core/geometry/triangle.hpp"

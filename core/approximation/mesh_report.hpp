@@ -3,8 +3,8 @@
 // Mesh report: a finished parameter mesh as a result, with triangles, normals and measured errors.
 
 #include "core/approximation/approximate.hpp"
-#include "core/approximation/bisection.hpp"
-#include "core/approximation/facet_error.hpp"
+#include "core/approximation/refinement/bisection.hpp"
+#include "core/approximation/refinement/facet_error.hpp"
 
 namespace hariko {
 

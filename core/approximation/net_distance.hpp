@@ -3,7 +3,7 @@
 // NetDistance: the distance of a polynomial patch from a facet by its control points: the patch lies in their
 // hull, and the distance to a triangle is convex, so the farthest control point bounds it.
 
-#include "core/approximation/facet_nets.hpp"
+#include "core/approximation/refinement/facet_control_nets.hpp"
 #include "core/geometry/triangle.hpp"
 
 namespace hariko {

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "core/base/parallel.hpp"
-#include "core/cad/side_tie.hpp"
+#include "core/cad/fit/side_tie.hpp"
 
 namespace hariko {
 

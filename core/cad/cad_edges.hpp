@@ -4,7 +4,7 @@
 
 #include "core/base/cancellation.hpp"
 #include "core/cad/cad_model.hpp"
-#include "core/cad/curve_fit.hpp"
+#include "core/cad/fit/curve_fit.hpp"
 #include "core/surface/surface.hpp"
 
 namespace hariko {

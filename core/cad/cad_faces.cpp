@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "core/base/parallel.hpp"
-#include "core/cad/edge_ties.hpp"
-#include "core/cad/face_fit.hpp"
+#include "core/cad/fit/edge_ties.hpp"
+#include "core/cad/fit/face_fit.hpp"
 
 namespace hariko {
 

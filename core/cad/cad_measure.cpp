@@ -7,7 +7,7 @@
 
 #include "core/base/parallel.hpp"
 #include "core/cad/cad_edges.hpp"
-#include "core/cad/side_tie.hpp"
+#include "core/cad/fit/side_tie.hpp"
 #include "core/geometry/angles.hpp"
 
 namespace hariko {

@@ -9,8 +9,8 @@
 #include "core/cad/cad_edges.hpp"
 #include "core/cad/cad_faces.hpp"
 #include "core/g2/g2_patch_set.hpp"
-#include "core/patching/quartic_patch.hpp"
-#include "core/skinning/subdivision_surface.hpp"
+#include "core/patching/quartic/quartic_patch.hpp"
+#include "core/subdivision/subdivision_surface.hpp"
 #include "core/surface/bicubic_patch.hpp"
 #include "core/surface/tensor_bezier.hpp"
 

@@ -12,7 +12,7 @@
 #include "core/base/progress.hpp"
 #include "core/base/result.hpp"
 #include "core/cad/cad_plan.hpp"
-#include "core/cad/spline.hpp"
+#include "core/cad/fit/spline.hpp"
 
 namespace hariko {
 

@@ -8,10 +8,10 @@
 #include <optional>
 #include <set>
 
-#include "core/cad/bezier_joint.hpp"
 #include "core/cad/cad_piece.hpp"
-#include "core/cad/spline.hpp"
-#include "core/skinning/subdivision_surface.hpp"
+#include "core/cad/fit/bezier_joint.hpp"
+#include "core/cad/fit/spline.hpp"
+#include "core/subdivision/subdivision_surface.hpp"
 #include "core/surface/bicubic_patch.hpp"
 
 namespace hariko {

@@ -1,7 +1,7 @@
 #pragma once
 
 // Attachment: a border edge of a polyhedron object is joined to a side of a patch object (kuriyama.md section
-// 8). This is the document's data; core/modeling/attached.hpp makes joins from it.
+// 8). This is the document's data; core/modeling/surfacing/object_surfacer.hpp makes joins from it.
 
 #include <array>
 #include <optional>

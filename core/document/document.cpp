@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/base/printable.hpp"
+#include "core/base/text/sanitized_utf8.hpp"
 
 namespace hariko {
 
@@ -70,7 +70,7 @@ Result<Done> check_name(std::string_view name) {
   if (name.size() > Object::max_name_length)
     return make_error(e_name_invalid, "The name is too long.",
                       "Use at most " + std::to_string(Object::max_name_length) + " bytes.");
-  if (printable(name) != name)
+  if (sanitized_utf8(name) != name)
     return make_error(e_name_invalid, "The name has characters that cannot be shown.",
                       "Remove line breaks, tabs and other control characters.");
   return Done{};

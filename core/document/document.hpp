@@ -9,8 +9,8 @@
 #include "core/base/ids.hpp"
 #include "core/base/result.hpp"
 #include "core/document/display.hpp"
+#include "core/document/history/shared.hpp"
 #include "core/document/paper_model.hpp"
-#include "core/document/shared.hpp"
 #include "core/document/similarity.hpp"
 #include "core/document/source.hpp"
 

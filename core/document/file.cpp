@@ -1,8 +1,8 @@
 #include "core/document/file.hpp"
 
-#include "core/base/printable.hpp"
-#include "core/document/edit_pictures.hpp"
-#include "core/document/format.hpp"
+#include "core/base/text/sanitized_utf8.hpp"
+#include "core/document/edits/edit_pictures.hpp"
+#include "core/document/format/format.hpp"
 
 namespace hariko {
 namespace {

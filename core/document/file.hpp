@@ -4,7 +4,7 @@
 
 #include <filesystem>
 
-#include "core/base/file_io.hpp"
+#include "core/base/files/file_io.hpp"
 #include "core/document/document.hpp"
 
 namespace hariko {

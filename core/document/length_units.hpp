@@ -4,7 +4,7 @@
 
 #include <array>
 
-#include "core/base/expression.hpp"
+#include "core/base/text/expression.hpp"
 #include "core/document/document.hpp"
 
 namespace hariko {

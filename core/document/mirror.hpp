@@ -1,7 +1,7 @@
 #pragma once
 
 // Mirror: the designer models one half, the surface is made from both. This is the document's data and the
-// test for vertices in the plane; core/modeling/mirrored.hpp makes the whole.
+// test for vertices in the plane; core/modeling/surfacing/mirrored.hpp makes the whole.
 
 #include <vector>
 

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "core/base/utf8.hpp"
+#include "core/base/text/utf8.hpp"
 
 namespace hariko {
 

@@ -10,8 +10,8 @@
 
 #include "core/base/result.hpp"
 #include "core/base/vector.hpp"
-#include "core/document/kept_members.hpp"
-#include "core/document/shared.hpp"
+#include "core/document/format/kept_members.hpp"
+#include "core/document/history/shared.hpp"
 
 namespace hariko {
 

@@ -10,13 +10,13 @@
 #include "core/base/result.hpp"
 #include "core/base/vector.hpp"
 #include "core/document/attachment.hpp"
-#include "core/document/kept_members.hpp"
+#include "core/document/format/kept_members.hpp"
+#include "core/document/history/shared.hpp"
 #include "core/document/mirror.hpp"
 #include "core/document/picture_source.hpp"
 #include "core/document/preparation.hpp"
-#include "core/document/shared.hpp"
 #include "core/envelope/solid.hpp"
-#include "core/gaussmap/outline_settings.hpp"
+#include "core/gaussmap/outlines/outline_settings.hpp"
 #include "core/network/shaping.hpp"
 #include "core/polyhedron/polygon_mesh.hpp"
 #include "core/polyhedron/polyhedron.hpp"
@@ -34,7 +34,8 @@ struct PolyhedronSource {
   Shared<Shaping> shaping;
   Mode mode = Mode::fair;
   Shared<KeptMembers> kept;
-  /// Live mirror: the polyhedron is one half; the surface is made from both (core/modeling/mirrored.hpp).
+  /// Live mirror: the polyhedron is one half; the surface is made from both
+  /// (core/modeling/surfacing/mirrored.hpp).
   std::optional<Mirror> mirror = {};
   Preparation preparation = {};
   /// Border edges that are joined to patches. An entry whose edge no longer exists or is no longer a border

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <string>
 
-#include "core/base/small_solver.hpp"
+#include "core/base/solvers/small_solver.hpp"
 
 namespace hariko {
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "core/base/cancellation.hpp"
-#include "core/base/file_io.hpp"
+#include "core/base/files/file_io.hpp"
 #include "core/base/message.hpp"
 #include "core/base/progress.hpp"
 #include "core/base/result.hpp"

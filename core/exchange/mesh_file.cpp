@@ -6,16 +6,16 @@
 #include <type_traits>
 #include <vector>
 
-#include "core/base/file_ending.hpp"
-#include "core/base/printable.hpp"
-#include "core/exchange/gltf_container.hpp"
-#include "core/exchange/read_3mf.hpp"
-#include "core/exchange/read_obj.hpp"
-#include "core/exchange/read_off.hpp"
-#include "core/exchange/read_ply.hpp"
-#include "core/exchange/read_stl.hpp"
+#include "core/base/files/file_ending.hpp"
+#include "core/base/text/sanitized_utf8.hpp"
+#include "core/exchange/archive_3mf/read_3mf.hpp"
+#include "core/exchange/gltf/gltf_container.hpp"
+#include "core/exchange/obj/read_obj.hpp"
 #include "core/exchange/text_encoding.hpp"
 #include "core/exchange/text_scanner.hpp"
+#include "core/exchange/triangles/read_off.hpp"
+#include "core/exchange/triangles/read_ply.hpp"
+#include "core/exchange/triangles/read_stl.hpp"
 
 namespace hariko {
 namespace {
@@ -32,7 +32,7 @@ bool looks_like_obj(std::string_view bytes) {
 }
 
 Message in_file(const std::filesystem::path& path, Message message) {
-  message.text = "\"" + printable(path.native()) + "\": " + message.text;
+  message.text = "\"" + sanitized_utf8(path.native()) + "\": " + message.text;
   return message;
 }
 
@@ -178,7 +178,7 @@ std::optional<MeshFormat> format_of_content(std::string_view given) {
 }
 
 Result<ImportedScene> read_parts(std::string_view bytes, MeshFormat format, const ReadLimits& limits,
-                                 const FileBeside& beside) {
+                                 const SidecarReader& beside) {
   std::optional<std::string> text;
   const bool binary = format == MeshFormat::gltf || format == MeshFormat::three_mf ||
                       (format == MeshFormat::stl && looks_like_stl(bytes));
@@ -228,7 +228,7 @@ Result<ImportedScene> read_scene_file(const std::filesystem::path& path, const R
     if (!result) return in_file(path, result.error());
     ImportedScene scene = std::move(result).value();
     for (Message& warning : scene.warnings) warning = in_file(path, std::move(warning));
-    const std::string own = printable(path.stem().native(), 200);
+    const std::string own = sanitized_utf8(path.stem().native(), 200);
     for (NamedPatches& patches : scene.patches)
       if (patches.name.empty()) patches.name = own;
     for (std::size_t k = 0; k < scene.parts.size(); ++k)

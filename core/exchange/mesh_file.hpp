@@ -7,10 +7,10 @@
 #include <span>
 #include <string_view>
 
+#include "core/exchange/coordinate_system.hpp"
 #include "core/exchange/file_rounding.hpp"
-#include "core/exchange/file_space.hpp"
+#include "core/exchange/gltf/read_gltf.hpp"
 #include "core/exchange/imported_scene.hpp"
-#include "core/exchange/read_gltf.hpp"
 #include "core/exchange/write_mesh.hpp"
 
 namespace hariko {
@@ -26,7 +26,7 @@ std::optional<MeshFormat> format_of_content(std::string_view bytes);
 /// Reads the objects of a file; OFF, PLY and STL have one. Text may be UTF-8 or UTF-16. `beside` supplies
 /// buffers of glTF that are separate files. Errors: those of the reader.
 Result<ImportedScene> read_parts(std::string_view bytes, MeshFormat format, const ReadLimits& limits = {},
-                                 const FileBeside& beside = {});
+                                 const SidecarReader& beside = {});
 /// Same as `read_parts`, with all objects joined to one mesh.
 Result<ImportedMesh> read_mesh(std::string_view bytes, MeshFormat format, const ReadLimits& limits = {});
 

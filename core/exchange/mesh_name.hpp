@@ -5,14 +5,14 @@
 #include <string>
 #include <string_view>
 
-#include "core/base/printable.hpp"
+#include "core/base/text/sanitized_utf8.hpp"
 
 namespace hariko {
 
 /// Name for one line of a text format: no control characters, no backslash (it could join lines), no # (it
 /// could start a comment), no blanks at the ends; "object" where nothing is left.
 inline std::string name_for_file(std::string_view name) {
-  std::string out = printable(name, 200);
+  std::string out = sanitized_utf8(name, 200);
   for (char& c : out)
     if (c == '\\' || c == '#') c = '_';
   const std::size_t first = out.find_first_not_of(' ');

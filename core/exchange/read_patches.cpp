@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "core/base/file_ending.hpp"
-#include "core/base/printable.hpp"
+#include "core/base/files/file_ending.hpp"
+#include "core/base/text/sanitized_utf8.hpp"
 #include "core/exchange/imported_mesh.hpp"
 #include "core/exchange/text_scanner.hpp"
 
@@ -169,7 +169,7 @@ Result<std::vector<NamedPatches>> read_bezier_json(std::string_view text) {
   for (const auto& [key, list] : json.items()) {
     if (!list.is_array()) continue;
     NamedPatches named;
-    named.name = printable(key, 200);
+    named.name = sanitized_utf8(key, 200);
     count += list.size();
     if (count > max_patches_of_file)
       return make_error(e_limit, "Up to 100000 patches are accepted.", "Split the file.");

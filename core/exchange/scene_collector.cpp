@@ -1,10 +1,10 @@
 #include "core/exchange/scene_collector.hpp"
-#include "core/base/small_solver.hpp"
-#include "core/exchange/remedies.hpp"
+#include "core/base/solvers/small_solver.hpp"
+#include "core/exchange/repair/remedies.hpp"
 
 #include <algorithm>
 
-#include "core/base/printable.hpp"
+#include "core/base/text/sanitized_utf8.hpp"
 
 namespace hariko {
 void turn_over(PolygonMesh& mesh) {
@@ -68,7 +68,7 @@ std::optional<Message> SceneCollector::add(PolygonMesh mesh, const Placement& pl
                       name.empty() ? std::string("The transform of an object is too large.")
                                    : "The transform of \"" + shortened(name, 200) + "\" is too large.",
                       "Correct the file, or export it again.");
-  scene_.parts.push_back({std::move(mesh), printable(name, 200)});
+  scene_.parts.push_back({std::move(mesh), sanitized_utf8(name, 200)});
   return {};
 }
 

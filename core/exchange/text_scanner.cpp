@@ -1,6 +1,6 @@
 #include "core/exchange/text_scanner.hpp"
 
-#include "core/base/printable.hpp"
+#include "core/base/text/sanitized_utf8.hpp"
 #include "core/exchange/imported_mesh.hpp"
 #include "core/exchange/number_text.hpp"
 

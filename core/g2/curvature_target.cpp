@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "core/base/assert.hpp"
-#include "core/base/dense_solver.hpp"
+#include "core/base/solvers/dense_solver.hpp"
 
 namespace hariko {
 

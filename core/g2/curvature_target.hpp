@@ -5,7 +5,7 @@
 #include <array>
 #include <vector>
 
-#include "core/g2/face_reference.hpp"
+#include "core/g2/faces/face_reference.hpp"
 
 namespace hariko {
 

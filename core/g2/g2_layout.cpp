@@ -2,7 +2,7 @@
 
 #include <Eigen/LU>
 
-#include "core/g2/corner_shapes.hpp"
+#include "core/g2/faces/corner_shapes.hpp"
 
 namespace hariko {
 
@@ -21,7 +21,7 @@ std::shared_ptr<const G2Atlas> atlas_of(const HalfEdgeMesh& mesh, const ChartCho
 }  // namespace
 
 G2Layout::G2Layout(std::shared_ptr<const HalfEdgeMesh> mesh, const VertexFrames& frames,
-                   const TensionWeights& weights, const std::vector<GivenRibbon>& ribbons)
+                   const TensionWeights& weights, const std::vector<PrescribedRibbon>& ribbons)
     : mesh_(std::move(mesh)),
       frames_(frames),
       unknowns_(g2_unknowns(*mesh_, frames_)),

@@ -8,9 +8,9 @@
 #include <utility>
 #include <vector>
 
-#include "core/g2/chart_choice.hpp"
+#include "core/g2/degrees_of_freedom.hpp"
+#include "core/g2/faces/chart_choice.hpp"
 #include "core/g2/g2_patch_set.hpp"
-#include "core/g2/unknowns.hpp"
 #include "core/network/vertex_frames.hpp"
 
 namespace hariko {
@@ -20,7 +20,7 @@ namespace hariko {
 class G2Layout {
  public:
   G2Layout(std::shared_ptr<const HalfEdgeMesh> mesh, const VertexFrames& frames,
-           const TensionWeights& weights, const std::vector<GivenRibbon>& ribbons);
+           const TensionWeights& weights, const std::vector<PrescribedRibbon>& ribbons);
 
   const HalfEdgeMesh& mesh() const { return *mesh_; }
   const VertexFrames& frames() const { return frames_; }

@@ -9,7 +9,7 @@
 #include <mutex>
 #include <vector>
 
-#include "core/g2/face_chart.hpp"
+#include "core/g2/faces/face_chart.hpp"
 #include "core/surface/patch.hpp"
 
 namespace hariko {

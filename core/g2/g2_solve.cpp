@@ -4,8 +4,8 @@
 #include <type_traits>
 
 #include "core/base/assert.hpp"
-#include "core/base/conjugate_gradients.hpp"
 #include "core/base/parallel.hpp"
+#include "core/base/solvers/conjugate_gradients.hpp"
 #include "core/g2/g2_system.hpp"
 
 namespace hariko {
@@ -165,7 +165,7 @@ class G2System::Restricted {
 struct G2System::Paused {
   std::shared_ptr<const FaceRegion> region;
   std::vector<double> x;
-  ConjugateGradientsRoom<std::vector<double>, double> room;
+  ConjugateGradientsWorkspace<std::vector<double>, double> room;
 };
 
 template <class Value>
@@ -174,7 +174,7 @@ G2System::Solution G2System::solve_in(std::shared_ptr<const FaceRegion> region, 
   using System = Restricted<Value>;
   System system(*this, *region);
   std::vector<Value> x;
-  ConjugateGradientsRoom<std::vector<Value>, typename System::Coefficient> room;
+  ConjugateGradientsWorkspace<std::vector<Value>, typename System::Coefficient> room;
   bool resumed = false;
   if constexpr (std::is_same_v<Value, double>) {
     if (options.paused) x = options.paused->x, room = options.paused->room, resumed = true;

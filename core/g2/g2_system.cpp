@@ -2,24 +2,24 @@
 
 #include <set>
 
-#include "core/g2/face_blocks.hpp"
+#include "core/g2/faces/face_blocks.hpp"
 #include "core/g2/g2_controls.hpp"
 
 namespace hariko {
 
 G2System::G2System(std::shared_ptr<const HalfEdgeMesh> mesh, const NetworkSystem& network,
-                   const G2Weights& weights, const std::vector<GivenRibbon>& ribbons)
+                   const G2Weights& weights, const std::vector<PrescribedRibbon>& ribbons)
     : G2System(mesh, network.frames(), tension_weights(*mesh, network, weights), weights.third, ribbons) {}
 
 G2System::G2System(std::shared_ptr<const HalfEdgeMesh> mesh, const VertexFrames& frames,
-                   const TensionWeights& weights, double third, const std::vector<GivenRibbon>& ribbons)
+                   const TensionWeights& weights, double third, const std::vector<PrescribedRibbon>& ribbons)
     : layout_(std::move(mesh), frames, weights, ribbons),
       elements_(layout_, weights, third),
       blocks_(face_blocks(layout_, elements_)),
       joined_(given_unknowns(layout_.mesh(), layout_.frames(), layout_.unknowns(), ribbons)) {
   const HalfEdgeMesh& topology = layout_.mesh();
   for (Index h = 0; h < ribbons.size(); ++h) {
-    if (ribbons[h] == GivenRibbon::none) continue;
+    if (ribbons[h] == PrescribedRibbon::none) continue;
     joined_vertex_.resize(topology.vertex_count());
     joined_vertex_[topology.origin(h)] = joined_vertex_[topology.target(h)] = true;
   }

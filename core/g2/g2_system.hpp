@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/base/cancellation.hpp"
-#include "core/g2/face_region.hpp"
+#include "core/g2/faces/face_region.hpp"
 #include "core/g2/g2_given.hpp"
 
 namespace hariko {
@@ -20,7 +20,7 @@ class G2System {
   /// Assembles the system. `ribbons`, per half-edge: prescribed by joins; empty when there are none. With
   /// metric frames, positions matter through the network's frames only.
   G2System(std::shared_ptr<const HalfEdgeMesh> mesh, const NetworkSystem& network,
-           const G2Weights& weights = {}, const std::vector<GivenRibbon>& ribbons = {});
+           const G2Weights& weights = {}, const std::vector<PrescribedRibbon>& ribbons = {});
   G2System(const G2System&) = delete;
   G2System& operator=(const G2System&) = delete;
 
@@ -86,7 +86,7 @@ class G2System {
 
  private:
   G2System(std::shared_ptr<const HalfEdgeMesh> mesh, const VertexFrames& frames,
-           const TensionWeights& weights, double third, const std::vector<GivenRibbon>& ribbons);
+           const TensionWeights& weights, double third, const std::vector<PrescribedRibbon>& ribbons);
 
   template <class Value>
   class Restricted;

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "core/g2/face_elements.hpp"
+#include "core/g2/faces/face_elements.hpp"
 
 namespace hariko {
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/base/least_squares.hpp"
+#include "core/base/solvers/least_squares.hpp"
 
 namespace hariko {
 namespace {

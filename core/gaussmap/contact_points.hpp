@@ -5,7 +5,7 @@
 
 #include <span>
 
-#include "core/gaussmap/boundary_data.hpp"
+#include "core/gaussmap/outlines/boundary_data.hpp"
 
 namespace hariko {
 

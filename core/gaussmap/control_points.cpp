@@ -4,13 +4,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/gaussmap/bending_fill.hpp"
 #include "core/gaussmap/contact_points.hpp"
-#include "core/gaussmap/linear_fill.hpp"
 #include "core/gaussmap/minkowski.hpp"
-#include "core/gaussmap/paper_insertion.hpp"
-#include "core/gaussmap/position_fill.hpp"
-#include "core/gaussmap/relax_sites.hpp"
-#include "core/gaussmap/site_insertion.hpp"
+#include "core/gaussmap/sphere/delaunay_refinement.hpp"
+#include "core/gaussmap/sphere/lloyd_relaxed_sites.hpp"
+#include "core/gaussmap/sphere/paper_insertion.hpp"
+#include "core/gaussmap/support_function_solve.hpp"
 #include "core/geometry/triangle.hpp"
 
 namespace hariko {

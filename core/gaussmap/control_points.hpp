@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/base/cancellation.hpp"
-#include "core/gaussmap/outline_check.hpp"
+#include "core/gaussmap/outlines/outline_check.hpp"
 
 namespace hariko {
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-#include "core/base/conjugate_gradients.hpp"
+#include "core/base/solvers/conjugate_gradients.hpp"
 #include "core/network/network_system.hpp"
 
 namespace hariko {
@@ -123,7 +123,7 @@ class TangentFit {
   /// Full Gauss-Newton step.
   void move() {
     const Field zero(basis_.size(), Vector3::Zero());
-    ConjugateGradientsRoom<Field, double> room{zero, zero, zero, zero};
+    ConjugateGradientsWorkspace<Field, double> room{zero, zero, zero, zero};
     gather(
         [](const End& end, const End& far, std::size_t) {
           return Vector3(-end.off * end.own - far.off * far.other - end.hold * end.away);

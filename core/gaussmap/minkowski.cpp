@@ -6,9 +6,9 @@
 #include <set>
 #include <unordered_map>
 
-#include "core/base/small_solver.hpp"
-#include "core/base/sparse_solver.hpp"
-#include "core/gaussmap/tangent_polytope.hpp"
+#include "core/base/solvers/small_solver.hpp"
+#include "core/base/solvers/sparse_solver.hpp"
+#include "core/gaussmap/halfspace_intersection.hpp"
 #include "core/geometry/edge_key.hpp"
 
 namespace hariko {

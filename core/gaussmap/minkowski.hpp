@@ -3,8 +3,8 @@
 // Discrete Minkowski problem with fixed planes on the boundary: support values for which facets have
 // prescribed areas (gaussmap.md 4). Internal to core/gaussmap.
 
-#include "core/gaussmap/boundary_data.hpp"
 #include "core/gaussmap/control_points.hpp"
+#include "core/gaussmap/outlines/boundary_data.hpp"
 
 namespace hariko {
 

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/gaussmap/arc_crossings.hpp"
-#include "core/gaussmap/site_insertion.hpp"
+#include "core/gaussmap/sphere/arc_crossings.hpp"
+#include "core/gaussmap/sphere/delaunay_refinement.hpp"
 #include "core/geometry/polygon.hpp"
 
 namespace hariko {

@@ -5,7 +5,7 @@
 
 #include <array>
 
-#include "core/gaussmap/outline_check.hpp"
+#include "core/gaussmap/outlines/outline_check.hpp"
 
 namespace hariko {
 

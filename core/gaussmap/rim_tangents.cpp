@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/base/assert.hpp"
-#include "core/gaussmap/loop_curve.hpp"
+#include "core/gaussmap/outlines/loop_curve.hpp"
 #include "core/network/network_system.hpp"
 
 namespace hariko {

@@ -6,7 +6,7 @@
 #include <map>
 #include <set>
 
-#include "core/base/small_solver.hpp"
+#include "core/base/solvers/small_solver.hpp"
 #include "core/geometry/triangle.hpp"
 
 namespace hariko {

@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
-#include "core/base/dense_solver.hpp"
+#include "core/base/solvers/dense_solver.hpp"
 
 namespace hariko {
 

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <numeric>
 
-#include "core/base/conjugate_gradients.hpp"
-#include "core/base/dense_solver.hpp"
 #include "core/base/parallel.hpp"
+#include "core/base/solvers/conjugate_gradients.hpp"
+#include "core/base/solvers/dense_solver.hpp"
 
 namespace hariko {
 
@@ -375,7 +375,7 @@ NetworkSystem::Solution NetworkSystem::solve(std::span<const Vector3> positions,
                                              const SolveOptions& options) const {
   const std::vector<Index>& vertices = options.active_vertices ? *options.active_vertices : all_vertices_;
   const std::vector<Vector3> zero(frames_.basis_count(), Vector3::Zero());
-  ConjugateGradientsRoom<std::vector<Vector3>, double> room{zero, zero, zero, zero};
+  ConjugateGradientsWorkspace<std::vector<Vector3>, double> room{zero, zero, zero, zero};
   std::vector<Vector3>&r = room.residual, &q = room.image;
   Workspace work{std::vector<Vector3>(edge_ends_.size(), Vector3::Zero()), rays_.make_workspace(vertices)};
   const int limit = !ties_.empty() ? max_steps_with_ties : rays_.empty() ? max_steps : max_steps_with_rays;

@@ -7,7 +7,7 @@
 #include <tuple>
 
 #include "core/g2/g2_patch_set.hpp"
-#include "core/patching/quartic_patch.hpp"
+#include "core/patching/quartic/quartic_patch.hpp"
 #include "core/surface/bicubic_patch.hpp"
 
 namespace hariko {

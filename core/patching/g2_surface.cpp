@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/base/parallel.hpp"
-#include "core/patching/quartic_kernel.hpp"
+#include "core/patching/quartic/quartic_kernel.hpp"
 
 namespace hariko {
 

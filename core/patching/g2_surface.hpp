@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/g2/g2_patch_set.hpp"
-#include "core/patching/drag_region.hpp"
+#include "core/patching/fair/influence_region.hpp"
 #include "core/patching/surface_system.hpp"
 
 namespace hariko {

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "core/network/network.hpp"
-#include "core/patching/patch_constants.hpp"
-#include "core/patching/quartic_patch.hpp"
+#include "core/patching/quartic/patch_constants.hpp"
+#include "core/patching/quartic/quartic_patch.hpp"
 #include "core/polyhedron/half_edge_mesh.hpp"
 
 namespace hariko {

@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <numeric>
 
-#include "core/patching/drag_response.hpp"
-#include "core/patching/g2_joins.hpp"
+#include "core/patching/fair/drag_response.hpp"
 #include "core/patching/g2_surface.hpp"
-#include "core/patching/surface_parts.hpp"
+#include "core/patching/joins/g2_joins.hpp"
+#include "core/patching/surface_adjacency.hpp"
 #include "core/patching/surface_system.hpp"
 #include "core/patching/surface_warnings.hpp"
 
@@ -214,7 +214,7 @@ std::optional<Message> PolyhedronSurfacer::State::prepare(const PolyhedronSurfac
       SurfaceSystem{mesh, std::move(network).value(), {}, input.mode, nullptr, nullptr, joins.smooth_sides()};
   system->constants = patch_constants(*mesh, system->network.frames());
   const bool fair = input.mode == Mode::fair || input.mode == Mode::g2;
-  if (fair) system->rims = clamped_rims(input.polyhedron, input.shaping);
+  if (fair) system->rims = clamped_boundary_edges(input.polyhedron, input.shaping);
   if (input.mode == Mode::fair) make_fair();
   if (input.mode == Mode::g2) {
     system->g2 = std::make_unique<G2System>(mesh, system->network, G2Weights{}, given_ribbons(joins));
@@ -239,7 +239,7 @@ std::optional<Message> PolyhedronSurfacer::State::prepare_pins(const PolyhedronS
   system->network = std::move(network).value();
   if (system->g2) system->g2->fix_tangents(pinned_vertices(input));
   if (input.mode == Mode::fair || input.mode == Mode::g2) {
-    std::vector<Index> rims = clamped_rims(input.polyhedron, input.shaping);
+    std::vector<Index> rims = clamped_boundary_edges(input.polyhedron, input.shaping);
     if (rims != system->rims) base.reset();
     system->rims = std::move(rims);
   }

@@ -11,7 +11,7 @@
 #include "core/base/result.hpp"
 #include "core/network/network.hpp"
 #include "core/network/shaping.hpp"
-#include "core/patching/join_plan.hpp"
+#include "core/patching/joins/join_plan.hpp"
 #include "core/polyhedron/element_aliases.hpp"
 #include "core/polyhedron/polyhedron.hpp"
 #include "core/surface/surface.hpp"

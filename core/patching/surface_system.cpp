@@ -1,7 +1,7 @@
 #include "core/patching/surface_system.hpp"
 
 #include "core/base/parallel.hpp"
-#include "core/patching/rings.hpp"
+#include "core/patching/quartic/rings.hpp"
 
 namespace hariko {
 
@@ -51,7 +51,7 @@ FairSystem::Solution build_patches(const SurfaceSystem& system, std::span<const 
     return {};
   }
   build_base();  // with O and Y zero: the part that does not depend on the unknowns
-  std::vector<RimBend> bends;
+  std::vector<BoundaryCurvatureLoad> bends;
   const FaceCharts& charts = system.network.frames().charts;
   for (const Index h : rims)
     bends.push_back(rim_bend(mesh, positions, network, patches, h, rim_measure(mesh, charts, h)));

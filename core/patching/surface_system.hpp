@@ -10,9 +10,9 @@
 #include "core/base/cancellation.hpp"
 #include "core/g2/g2_system.hpp"
 #include "core/network/network_system.hpp"
-#include "core/patching/fair_system.hpp"
-#include "core/patching/join_plan.hpp"
-#include "core/patching/patch_constants.hpp"
+#include "core/patching/fair/fair_system.hpp"
+#include "core/patching/joins/join_plan.hpp"
+#include "core/patching/quartic/patch_constants.hpp"
 
 namespace hariko {
 
@@ -26,7 +26,7 @@ struct SurfaceSystem {
   std::unique_ptr<G2System> g2 = nullptr;  ///< mode G2 only
   /// Flags per half-edge: the inner points that serve it are given by a join; empty when there is none.
   std::vector<bool> given_side = {};
-  std::vector<Index> rims = {};  ///< mode FAIR: the clamped rims (`clamped_rims`)
+  std::vector<Index> rims = {};  ///< mode FAIR: the clamped rims (`clamped_boundary_edges`)
 };
 
 /// Region in which patches are built: faces, and the vertices whose rings are solved in modes PAPER and

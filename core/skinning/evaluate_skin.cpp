@@ -8,9 +8,9 @@
 #include <numbers>
 #include <set>
 
-#include "core/skinning/pleat.hpp"
+#include "core/skinning/columns/pleat.hpp"
+#include "core/skinning/columns/smooth.hpp"
 #include "core/skinning/skin_messages.hpp"
-#include "core/skinning/smooth.hpp"
 
 namespace hariko {
 

@@ -6,10 +6,10 @@
 #include <memory>
 #include <vector>
 
-#include "core/skinning/column_memory.hpp"
-#include "core/skinning/skin_mesh.hpp"
-#include "core/skinning/skin_work.hpp"
-#include "core/skinning/subdivision_surface.hpp"
+#include "core/skinning/columns/column_cache.hpp"
+#include "core/skinning/columns/skin_context.hpp"
+#include "core/skinning/columns/skin_mesh.hpp"
+#include "core/subdivision/subdivision_surface.hpp"
 
 namespace hariko {
 
@@ -42,7 +42,7 @@ class SkinSurfacer {
 
  private:
   std::shared_ptr<const SubdivisionTopology> topology_;
-  ColumnMemory columns_;
+  ColumnCache columns_;
 };
 
 /// Distance of the surface from a section: the largest over 33 points per edge of the section's row to the

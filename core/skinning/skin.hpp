@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "core/geometry/mirror_plane.hpp"
-#include "core/skinning/subdivision_curve.hpp"
+#include "core/subdivision/subdivision_curve.hpp"
 
 namespace hariko {
 

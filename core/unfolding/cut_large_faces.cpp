@@ -8,10 +8,10 @@
 #include <optional>
 
 #include "core/geometry/polygon.hpp"
-#include "core/unfolding/best_turn.hpp"
+#include "core/unfolding/cuts/best_rotation.hpp"
 #include "core/unfolding/face_triangles.hpp"
 #include "core/unfolding/facet_graph.hpp"
-#include "core/unfolding/piece_extent.hpp"
+#include "core/unfolding/pages/piece_extent.hpp"
 
 namespace hariko {
 
@@ -240,7 +240,7 @@ double longest_side_of(const PolygonMesh& mesh) {
 
 Result<CutFaces> cut_large_faces(const PolygonMesh& mesh, const PaperSettings& settings) {
   if (const auto fine = check_settings(settings, longest_side_of(mesh)); !fine.ok()) return fine.error();
-  const PaperSize room = settings.printable();
+  const PaperSize room = settings.sanitized_utf8();
   const double pages = settings.scale * settings.scale * area_of_faces(mesh) / (room.width * room.height);
   if (pages > most_pages)
     return make_error(

@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "core/base/ids.hpp"
-#include "core/unfolding/cut_search.hpp"
+#include "core/unfolding/cuts/cut_search.hpp"
 
 namespace hariko {
 

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "core/unfolding/convex_overlap.hpp"
-#include "core/unfolding/facet_grid.hpp"
+#include "core/unfolding/cuts/convex_overlap.hpp"
+#include "core/unfolding/cuts/facet_grid.hpp"
 
 namespace hariko {
 

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "core/document/paper_settings.hpp"
-#include "core/unfolding/facet_layout.hpp"
-#include "core/unfolding/sheet_overlaps.hpp"
+#include "core/unfolding/cuts/facet_layout.hpp"
+#include "core/unfolding/pages/sheet_overlaps.hpp"
 
 namespace hariko {
 

@@ -6,8 +6,8 @@
 
 #include "core/base/assert.hpp"
 #include "core/base/disjoint_sets.hpp"
-#include "core/unfolding/cut_search.hpp"
-#include "core/unfolding/growth.hpp"
+#include "core/unfolding/cuts/cut_search.hpp"
+#include "core/unfolding/cuts/greedy_unfolding.hpp"
 
 namespace hariko {
 

@@ -7,9 +7,9 @@
 
 #include "core/base/ids.hpp"
 #include "core/polyhedron/message_group.hpp"
-#include "core/unfolding/best_turn.hpp"
-#include "core/unfolding/convex_overlap.hpp"
-#include "core/unfolding/reference_method.hpp"
+#include "core/unfolding/cuts/best_rotation.hpp"
+#include "core/unfolding/cuts/convex_overlap.hpp"
+#include "core/unfolding/cuts/reference_method.hpp"
 
 namespace hariko {
 
@@ -32,7 +32,7 @@ PackItem strip_item(double length, const PaperSettings& settings) {
 /// Runs of strips that fit on a page.
 std::vector<StripRun> runs_of(const FacetGraph& graph, const FlatLayout& layout,
                               const std::vector<Joint>& joints, const PaperSettings& settings) {
-  const PaperSize room = settings.printable();
+  const PaperSize room = settings.sanitized_utf8();
   return strip_runs(graph, layout, joints, settings, std::max(room.width, room.height));
 }
 
@@ -335,7 +335,7 @@ std::string piece_name(Index piece) {
 
 double paper_use(const Unfolding& unfolding) {
   const PaperSettings& s = unfolding.settings;
-  const double pages = s.printable().width * s.printable().height * unfolding.page_count;
+  const double pages = s.sanitized_utf8().width * s.sanitized_utf8().height * unfolding.page_count;
   return pages > 0 ? s.scale * s.scale * unfolding.graph->total_area() / pages : 0;
 }
 

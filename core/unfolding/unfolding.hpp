@@ -12,11 +12,11 @@
 #include "core/base/cancellation.hpp"
 #include "core/base/progress.hpp"
 #include "core/document/paper_model.hpp"
-#include "core/unfolding/cut_search.hpp"
+#include "core/unfolding/cuts/cut_search.hpp"
+#include "core/unfolding/cuts/strip_runs.hpp"
 #include "core/unfolding/glue_tabs.hpp"
-#include "core/unfolding/page_packer.hpp"
-#include "core/unfolding/piece_placement.hpp"
-#include "core/unfolding/strip_runs.hpp"
+#include "core/unfolding/pages/page_packer.hpp"
+#include "core/unfolding/pages/piece_placement.hpp"
 
 namespace hariko {
 

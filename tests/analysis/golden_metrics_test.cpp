@@ -9,7 +9,7 @@
 
 #include "core/analysis/continuity.hpp"
 #include "core/analysis/measures.hpp"
-#include "core/patching/quartic_patch.hpp"
+#include "core/patching/quartic/quartic_patch.hpp"
 #include "tests/support/analytic_patches.hpp"
 #include "tests/support/places.hpp"
 

@@ -6,7 +6,7 @@
 
 #include <string>
 
-#include "core/document/edits.hpp"
+#include "core/document/edits/edits.hpp"
 #include "ui/editor/editor.hpp"
 
 namespace hariko {

@@ -6,8 +6,8 @@
 
 #include "app/files/export_surfaces.hpp"
 #include "app/files/left_out.hpp"
-#include "core/document/edit_objects.hpp"
-#include "core/document/edits.hpp"
+#include "core/document/edits/edit_objects.hpp"
+#include "core/document/edits/edits.hpp"
 #include "tests/support/random_polyhedra.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "ui/files/export_text.hpp"

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "app/files/open_file.hpp"
-#include "core/document/edits.hpp"
+#include "core/document/edits/edits.hpp"
 #include "core/exchange/mesh_file.hpp"
 #include "core/polyhedron/validation.hpp"
 #include "tests/support/random_polyhedra.hpp"

@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include "core/document/edits.hpp"
-#include "core/modeling/primitives.hpp"
+#include "core/document/edits/edits.hpp"
+#include "core/modeling/objects/primitives.hpp"
 
 namespace hariko {
 namespace {

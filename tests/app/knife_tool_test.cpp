@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "core/modeling/edit_modeling.hpp"
+#include "core/modeling/objects/edit_modeling.hpp"
 #include "tests/app/tool_rig.hpp"
 #include "tests/support/random.hpp"
 #include "tests/support/random_polyhedra.hpp"

@@ -8,8 +8,8 @@
 #include <cmath>
 #include <limits>
 
-#include "core/document/edits.hpp"
-#include "core/modeling/primitives.hpp"
+#include "core/document/edits/edits.hpp"
+#include "core/modeling/objects/primitives.hpp"
 #include "ui/editor/editor.hpp"
 
 namespace hariko {

@@ -5,7 +5,7 @@
 #include "app/files/export_cad.hpp"
 #include "app/files/open_file.hpp"
 #include "core/cad/kernel/read_cad_file.hpp"
-#include "core/document/edit_objects.hpp"
+#include "core/document/edits/edit_objects.hpp"
 #include "core/document/object_box.hpp"
 #include "tests/support/temporary_folder.hpp"
 

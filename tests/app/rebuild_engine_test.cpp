@@ -6,7 +6,7 @@
 #include <chrono>
 #include <thread>
 
-#include "core/document/edits.hpp"
+#include "core/document/edits/edits.hpp"
 
 namespace hariko {
 namespace {

@@ -4,8 +4,8 @@
 
 #include <unistd.h>
 
-#include "core/base/file_io.hpp"
-#include "core/document/format.hpp"
+#include "core/base/files/file_io.hpp"
+#include "core/document/format/format.hpp"
 
 namespace hariko {
 namespace {

@@ -16,7 +16,7 @@
 #include "core/cad/cad_model.hpp"
 #include "core/cad/kernel/cad_letters.hpp"
 #include "core/document/file.hpp"
-#include "core/modeling/attached.hpp"
+#include "core/modeling/surfacing/object_surfacer.hpp"
 #include "tests/support/places.hpp"
 #include "tests/support/random.hpp"
 #include "tests/support/temporary_folder.hpp"

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/document/edits.hpp"
+#include "core/document/edits/edits.hpp"
 #include "tests/app/tool_rig.hpp"
 
 namespace hariko {

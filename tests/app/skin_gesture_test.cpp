@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <string>
 
-#include "core/skinning/add_section.hpp"
-#include "core/skinning/simple_skin.hpp"
+#include "core/skinning/columns/simple_skin.hpp"
+#include "core/skinning/edit/add_section.hpp"
 #include "tests/app/skin_rig.hpp"
 #include "ui/editor/skin_edits.hpp"
 #include "ui/skin/add_section_tool.hpp"

@@ -11,10 +11,10 @@
 #include <thread>
 
 #include "app/engines/surface_builder.hpp"
-#include "core/document/edit_skin.hpp"
-#include "core/skinning/add_section.hpp"
-#include "core/skinning/edit_path.hpp"
-#include "core/skinning/simple_skin.hpp"
+#include "core/document/edits/edit_skin.hpp"
+#include "core/skinning/columns/simple_skin.hpp"
+#include "core/skinning/edit/add_section.hpp"
+#include "core/skinning/edit/edit_path.hpp"
 #include "core/skinning/skin_messages.hpp"
 #include "ui/base/columns_job.hpp"
 

@@ -4,7 +4,7 @@
 
 #include <numbers>
 
-#include "core/skinning/simple_skin.hpp"
+#include "core/skinning/columns/simple_skin.hpp"
 #include "tests/app/skin_rig.hpp"
 #include "tests/support/random.hpp"
 #include "ui/skin/skin_tool.hpp"

@@ -5,7 +5,7 @@
 #include <GLFW/glfw3.h>
 #include <gtest/gtest.h>
 
-#include "core/document/edits.hpp"
+#include "core/document/edits/edits.hpp"
 #include "ui/view/tool.hpp"
 
 namespace hariko::test {

@@ -5,8 +5,8 @@
 #include <numbers>
 
 #include "core/approximation/approximate.hpp"
-#include "core/approximation/facet_error.hpp"
-#include "core/approximation/initial_mesh.hpp"
+#include "core/approximation/refinement/facet_error.hpp"
+#include "core/approximation/refinement/patch_grid_mesh.hpp"
 #include "core/base/parallel.hpp"
 #include "tests/approximation/checker.hpp"
 #include "tests/approximation/meshes.hpp"

@@ -6,7 +6,7 @@
 
 #include "core/approximation/approximate.hpp"
 #include "core/document/file.hpp"
-#include "core/modeling/attached.hpp"
+#include "core/modeling/surfacing/object_surfacer.hpp"
 #include "tests/approximation/checker.hpp"
 #include "tests/approximation/meshes.hpp"
 #include "tests/approximation/surfaces.hpp"

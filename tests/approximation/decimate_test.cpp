@@ -1,12 +1,12 @@
 // Decimation of dense meshes, checked by dense samples in both directions without the code under test.
 
-#include "core/approximation/decimate.hpp"
+#include "core/approximation/decimation/decimate.hpp"
 
 #include <gtest/gtest.h>
 
 #include <numbers>
 
-#include "core/approximation/mesh_bound.hpp"
+#include "core/approximation/hausdorff_bound.hpp"
 #include "core/base/parallel.hpp"
 #include "core/surface/weld_patches.hpp"
 #include "tests/approximation/checker.hpp"

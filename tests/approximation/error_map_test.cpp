@@ -8,7 +8,7 @@
 #include <sstream>
 
 #include "core/approximation/approximate.hpp"
-#include "core/approximation/surface_foot.hpp"
+#include "core/approximation/surface_projector.hpp"
 #include "core/base/parallel.hpp"
 #include "tests/approximation/checker.hpp"
 #include "tests/approximation/meshes.hpp"
@@ -61,12 +61,12 @@ TEST(TriangleTree, NearestIsThatOfAllTriangles) {
   });
 }
 
-TEST(SurfaceFeet, AreNearerThanAnySample) {
+TEST(SurfaceProjector, AreNearerThanAnySample) {
   for (const char* name : {"wave", "fender", "pair", "quintic"}) {
     SCOPED_TRACE(name);
     const Surface surface = golden_surface(name);
     const SurfaceSampler sampler(surface);
-    const SurfaceFeet feet(sampler, 4000);
+    const SurfaceProjector feet(sampler, 4000);
     const DenseSurface dense(surface, 200);
     const TriangleGrid grid(dense.points, dense.triangles);
     for_random(52, 40, [&](std::mt19937_64& rng) {

@@ -1,6 +1,6 @@
 // The order in which facets are cut.
 
-#include "core/approximation/facet_queue.hpp"
+#include "core/approximation/refinement/facet_queue.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // Refinement that starts with cells as long as their curvature lets them be.
 
-#include "core/approximation/start_mesh.hpp"
+#include "core/approximation/refinement/cell_sizes.hpp"
 
 #include <gtest/gtest.h>
 

@@ -15,11 +15,11 @@ namespace fs = std::filesystem;
 
 const std::map<std::string, std::string>& exceptions() {
   static const std::map<std::string, std::string> files = {
-      {"core/base/file_io.cpp", "the one that leaves no halves"},
+      {"core/base/files/file_io.cpp", "the one that leaves no halves"},
       {"app/input/replay.hpp", "grows while the user works: what is there is of use after a crash"},
       {"app/input/test_log.hpp", "likewise, for tests"},
       {"app/persistence/file_lock.cpp", "an empty file, for its lock"},
-      {"core/base/temporary_files.cpp", "opens what it removes, for its lock"},
+      {"core/base/files/temporary_files.cpp", "opens what it removes, for its lock"},
       {"app/start_program.cpp", "/dev/null for another program"},
       {"app/crash_report.cpp", "a crashed program can only make system calls"},
       {"app/persistence/run_log.cpp", "adds lines at the end of a log"},

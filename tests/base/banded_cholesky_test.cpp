@@ -1,4 +1,4 @@
-#include "core/base/banded_cholesky.hpp"
+#include "core/base/solvers/banded_cholesky.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "core/base/expression.hpp"
+#include "core/base/text/expression.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "core/base/file_io.hpp"
+#include "core/base/files/file_io.hpp"
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>
@@ -6,7 +6,7 @@
 
 #include <cerrno>
 
-#include "core/base/printable.hpp"
+#include "core/base/text/sanitized_utf8.hpp"
 #include "tests/support/failing_layer.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -159,12 +159,12 @@ TEST(ReadFile, ErrorsNameTheFileAndTheReason) {
 }
 
 TEST(Printable, KeepsUtf8AndReplacesTheRest) {
-  EXPECT_EQ(printable("Grüße 張り子 🎏"), "Grüße 張り子 🎏");
-  EXPECT_EQ(printable("a\nb\x7f\x01"), "a?b??");
-  EXPECT_EQ(printable("\xff\xc0\x80\xed\xa0\x80\xf5\x80\x80\x80\xe5\xbc"), "????????????");
-  EXPECT_EQ(printable("abcdef", 3), "abc...");
-  EXPECT_EQ(printable("ab張", 4), "ab...");
-  EXPECT_EQ(printable("abc", 3), "abc");
+  EXPECT_EQ(sanitized_utf8("Grüße 張り子 🎏"), "Grüße 張り子 🎏");
+  EXPECT_EQ(sanitized_utf8("a\nb\x7f\x01"), "a?b??");
+  EXPECT_EQ(sanitized_utf8("\xff\xc0\x80\xed\xa0\x80\xf5\x80\x80\x80\xe5\xbc"), "????????????");
+  EXPECT_EQ(sanitized_utf8("abcdef", 3), "abc...");
+  EXPECT_EQ(sanitized_utf8("ab張", 4), "ab...");
+  EXPECT_EQ(sanitized_utf8("abc", 3), "abc");
 }
 
 }  // namespace

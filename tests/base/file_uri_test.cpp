@@ -1,4 +1,4 @@
-#include "core/base/file_uri.hpp"
+#include "core/base/files/file_uri.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "core/base/json_writer.hpp"
+#include "core/base/text/json_writer.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "core/base/nearest_word.hpp"
+#include "core/base/text/nearest_word.hpp"
 
 #include <gtest/gtest.h>
 

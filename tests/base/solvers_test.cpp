@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/base/dense_solver.hpp"
-#include "core/base/least_squares.hpp"
-#include "core/base/small_solver.hpp"
-#include "core/base/sparse_solver.hpp"
+#include "core/base/solvers/dense_solver.hpp"
+#include "core/base/solvers/least_squares.hpp"
+#include "core/base/solvers/small_solver.hpp"
+#include "core/base/solvers/sparse_solver.hpp"
 #include "tests/support/random.hpp"
 
 namespace hariko::test {

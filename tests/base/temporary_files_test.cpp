@@ -1,6 +1,6 @@
 // Temporary files that a killed writer left behind go; those of living ones, and files of others, stay.
 
-#include "core/base/temporary_files.hpp"
+#include "core/base/files/temporary_files.hpp"
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@
 
 #include <chrono>
 
-#include "core/base/file_io.hpp"
+#include "core/base/files/file_io.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace hariko {

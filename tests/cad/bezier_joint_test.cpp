@@ -1,6 +1,6 @@
 // Bezier patches that were cut out of one spline are one again.
 
-#include "core/cad/bezier_joint.hpp"
+#include "core/cad/fit/bezier_joint.hpp"
 
 #include <gtest/gtest.h>
 

@@ -8,8 +8,8 @@
 #include "core/analysis/measures.hpp"
 #include "core/base/parallel.hpp"
 #include "core/cad/cad_measure.hpp"
-#include "core/cad/curve_fit.hpp"
-#include "core/skinning/subdivision_surface.hpp"
+#include "core/cad/fit/curve_fit.hpp"
+#include "core/subdivision/subdivision_surface.hpp"
 #include "tests/cad/producers.hpp"
 
 namespace hariko::test {

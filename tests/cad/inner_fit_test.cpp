@@ -1,4 +1,4 @@
-#include "core/cad/inner_fit.hpp"
+#include "core/cad/fit/inner_fit.hpp"
 
 #include <gtest/gtest.h>
 

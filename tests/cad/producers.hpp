@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "core/document/file.hpp"
-#include "core/modeling/attached.hpp"
+#include "core/modeling/surfacing/object_surfacer.hpp"
 #include "tests/support/places.hpp"
 #include "tests/support/random.hpp"
 

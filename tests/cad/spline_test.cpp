@@ -1,11 +1,11 @@
-#include "core/cad/spline.hpp"
+#include "core/cad/fit/spline.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
-#include "core/cad/curve_fit.hpp"
+#include "core/cad/fit/curve_fit.hpp"
 #include "tests/support/random.hpp"
 
 namespace hariko::test {

@@ -2,7 +2,7 @@
 
 #include "core/document/file.hpp"
 #include "core/exchange/mesh_file.hpp"
-#include "core/modeling/local_edit.hpp"
+#include "core/modeling/surfacing/local_edit.hpp"
 #include "tests/cli/program.hpp"
 
 namespace hariko::test {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "core/document/edit_objects.hpp"
+#include "core/document/edits/edit_objects.hpp"
 #include "core/document/file.hpp"
 #include "core/exchange/read_patches.hpp"
 #include "tests/cli/program.hpp"

@@ -4,10 +4,10 @@
 #include <gtest/gtest.h>
 
 #include "core/document/convert_unit.hpp"
-#include "core/document/edits.hpp"
-#include "core/document/format.hpp"
-#include "core/document/history.hpp"
-#include "core/modeling/attached.hpp"
+#include "core/document/edits/edits.hpp"
+#include "core/document/format/format.hpp"
+#include "core/document/history/history.hpp"
+#include "core/modeling/surfacing/object_surfacer.hpp"
 #include "tests/document/random_documents.hpp"
 #include "tests/support/random_joins.hpp"
 

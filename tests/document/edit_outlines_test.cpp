@@ -1,12 +1,12 @@
-#include "core/document/edit_outlines.hpp"
+#include "core/document/edits/edit_outlines.hpp"
 
 #include <gtest/gtest.h>
 
-#include "core/base/file_io.hpp"
-#include "core/document/edit_elements.hpp"
-#include "core/document/edit_objects.hpp"
-#include "core/document/read_outline.hpp"
-#include "core/gaussmap/edit_outline.hpp"
+#include "core/base/files/file_io.hpp"
+#include "core/document/edits/edit_elements.hpp"
+#include "core/document/edits/edit_objects.hpp"
+#include "core/document/format/read_outline.hpp"
+#include "core/gaussmap/outlines/edit_outline.hpp"
 #include "core/polyhedron/validation.hpp"
 #include "tests/support/places.hpp"
 

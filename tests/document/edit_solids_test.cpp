@@ -1,13 +1,13 @@
 // Edits of solids: what they change, what they refuse, what is forgotten with a solid.
 
-#include "core/document/edit_solids.hpp"
+#include "core/document/edits/edit_solids.hpp"
 
 #include <gtest/gtest.h>
 
 #include <array>
 #include <limits>
 
-#include "core/document/edits.hpp"
+#include "core/document/edits/edits.hpp"
 
 namespace hariko::test {
 

@@ -1,6 +1,6 @@
 // Edits: what each changes, what it leaves alone, and what it refuses.
 
-#include "core/document/edits.hpp"
+#include "core/document/edits/edits.hpp"
 
 #include <gtest/gtest.h>
 

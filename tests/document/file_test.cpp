@@ -9,8 +9,8 @@
 #include <filesystem>
 #include <fstream>
 
-#include "core/document/edits.hpp"
-#include "core/document/format.hpp"
+#include "core/document/edits/edits.hpp"
+#include "core/document/format/format.hpp"
 #include "tests/document/random_documents.hpp"
 
 namespace hariko {

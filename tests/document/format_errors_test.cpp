@@ -2,9 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include "core/base/file_io.hpp"
-#include "core/document/edit_elements.hpp"
-#include "core/document/format.hpp"
+#include "core/base/files/file_io.hpp"
+#include "core/document/edits/edit_elements.hpp"
+#include "core/document/format/format.hpp"
 #include "core/network/network.hpp"
 #include "core/polyhedron/validation.hpp"
 #include "tests/document/random_documents.hpp"

@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "core/base/file_io.hpp"
-#include "core/document/format.hpp"
+#include "core/base/files/file_io.hpp"
+#include "core/document/format/format.hpp"
 #include "tests/support/places.hpp"
 
 namespace hariko {

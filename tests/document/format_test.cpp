@@ -1,6 +1,6 @@
 // The file format: what is written comes back, and what is not known is kept.
 
-#include "core/document/format.hpp"
+#include "core/document/format/format.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "core/document/edits.hpp"
+#include "core/document/edits/edits.hpp"
 #include "tests/document/random_documents.hpp"
 #include "tests/support/places.hpp"
 

@@ -1,12 +1,12 @@
 // Undo and redo, against a plain model, and the memory they need.
 
-#include "core/document/history.hpp"
+#include "core/document/history/history.hpp"
 
 #include <gtest/gtest.h>
 #include <malloc.h>
 
 #include "core/base/sanitizer.hpp"
-#include "core/document/edits.hpp"
+#include "core/document/edits/edits.hpp"
 #include "tests/document/random_documents.hpp"
 
 namespace hariko {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/document/format.hpp"
+#include "core/document/format/format.hpp"
 #include "tests/support/places.hpp"
 #include "tests/support/random.hpp"
 #include "tests/support/temporary_folder.hpp"

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/document/edit_objects.hpp"
+#include "core/document/edits/edit_objects.hpp"
 
 namespace hariko {
 namespace {

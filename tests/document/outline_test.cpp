@@ -1,9 +1,9 @@
-#include "core/document/read_outline.hpp"
+#include "core/document/format/read_outline.hpp"
 
 #include <gtest/gtest.h>
 
-#include "core/base/file_io.hpp"
-#include "core/gaussmap/outline_check.hpp"
+#include "core/base/files/file_io.hpp"
+#include "core/gaussmap/outlines/outline_check.hpp"
 #include "tests/support/places.hpp"
 
 namespace hariko {

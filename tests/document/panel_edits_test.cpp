@@ -4,7 +4,7 @@
 
 #include "core/document/angles.hpp"
 #include "core/document/convert_unit.hpp"
-#include "core/document/edits.hpp"
+#include "core/document/edits/edits.hpp"
 #include "tests/document/random_documents.hpp"
 #include "tests/support/random.hpp"
 

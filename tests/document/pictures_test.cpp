@@ -4,10 +4,10 @@
 #include <gtest/gtest.h>
 
 #include "core/document/convert_unit.hpp"
-#include "core/document/edits.hpp"
+#include "core/document/edits/edits.hpp"
 #include "core/document/file.hpp"
-#include "core/document/format.hpp"
-#include "core/document/memory.hpp"
+#include "core/document/format/format.hpp"
+#include "core/document/history/memory.hpp"
 #include "core/document/object_box.hpp"
 #include "tests/document/random_documents.hpp"
 #include "tests/support/temporary_folder.hpp"

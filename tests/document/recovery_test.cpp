@@ -1,6 +1,6 @@
 // Recovery copies: whatever fails while one is written, the old or the new one can be read; damage is seen.
 
-#include "core/document/recovery.hpp"
+#include "core/document/history/recovery.hpp"
 
 #include <gtest/gtest.h>
 

@@ -9,10 +9,10 @@
 #include <filesystem>
 
 #include "core/analysis/continuity.hpp"
-#include "core/base/file_io.hpp"
+#include "core/base/files/file_io.hpp"
 #include "core/document/file.hpp"
-#include "core/document/format.hpp"
-#include "core/modeling/attached.hpp"
+#include "core/document/format/format.hpp"
+#include "core/modeling/surfacing/object_surfacer.hpp"
 #include "tests/patching/g2_support.hpp"
 #include "tests/support/places.hpp"
 

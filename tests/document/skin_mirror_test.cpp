@@ -3,11 +3,11 @@
 #include <gtest/gtest.h>
 
 #include "core/document/convert_unit.hpp"
-#include "core/document/edit_skin.hpp"
-#include "core/document/edits.hpp"
-#include "core/document/format.hpp"
-#include "core/document/history.hpp"
-#include "core/skinning/simple_skin.hpp"
+#include "core/document/edits/edit_skin.hpp"
+#include "core/document/edits/edits.hpp"
+#include "core/document/format/format.hpp"
+#include "core/document/history/history.hpp"
+#include "core/skinning/columns/simple_skin.hpp"
 
 namespace hariko {
 namespace {

@@ -9,7 +9,7 @@
 #include <sstream>
 #include <string>
 
-#include "core/document/read_solids.hpp"
+#include "core/document/format/read_solids.hpp"
 #include "core/envelope/envelope.hpp"
 #include "tests/support/places.hpp"
 #include "tests/support/random.hpp"

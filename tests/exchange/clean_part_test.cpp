@@ -1,4 +1,4 @@
-#include "core/exchange/clean_part.hpp"
+#include "core/exchange/repair/clean_part.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
-#include "core/exchange/json_kind.hpp"
+#include "core/exchange/gltf/detect_json_format.hpp"
 
 #include <gtest/gtest.h>
 
-#include "core/base/file_io.hpp"
+#include "core/base/files/file_io.hpp"
 #include "core/exchange/imported_mesh.hpp"
 
 namespace hariko {

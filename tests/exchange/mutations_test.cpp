@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/exchange/read_3mf.hpp"
+#include "core/exchange/archive_3mf/read_3mf.hpp"
 #include "core/exchange/read_patches.hpp"
 #include "tests/exchange/fixture_files.hpp"
 #include "tests/exchange/mesh_text.hpp"
@@ -61,7 +61,7 @@ void try_mutations(std::uint64_t seed, const std::vector<std::string>& files, Re
 
 void try_format(std::uint64_t seed, MeshFormat format, const std::string& seeds,
                 const std::vector<std::string>& endings) {
-  const FileBeside beside = [](const std::string&) -> Result<std::string> { return std::string(64, '?'); };
+  const SidecarReader beside = [](const std::string&) -> Result<std::string> { return std::string(64, '?'); };
   try_mutations(seed, files_of(seeds, endings), [&](const std::string& bytes) {
     expect_loads_or_is_refused(read_parts(bytes, format, small_limits(), beside));
   });

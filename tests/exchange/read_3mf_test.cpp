@@ -1,4 +1,4 @@
-#include "core/exchange/read_3mf.hpp"
+#include "core/exchange/archive_3mf/read_3mf.hpp"
 
 #include <Model/COM/NMR_DLLInterfaces.h>
 #include <gtest/gtest.h>

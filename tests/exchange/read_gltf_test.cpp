@@ -1,4 +1,4 @@
-#include "core/exchange/read_gltf.hpp"
+#include "core/exchange/gltf/read_gltf.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "core/exchange/read_obj.hpp"
+#include "core/exchange/obj/read_obj.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <filesystem>
 
 #include "core/exchange/mesh_file.hpp"
-#include "core/exchange/write_control_mesh.hpp"
+#include "core/exchange/obj/write_control_mesh.hpp"
 #include "tests/exchange/fixture_files.hpp"
 #include "tests/exchange/mesh_text.hpp"
 #include "tests/support/places.hpp"

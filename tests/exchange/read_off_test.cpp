@@ -1,4 +1,4 @@
-#include "core/exchange/read_off.hpp"
+#include "core/exchange/triangles/read_off.hpp"
 
 #include <gtest/gtest.h>
 

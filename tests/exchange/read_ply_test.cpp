@@ -1,4 +1,4 @@
-#include "core/exchange/read_ply.hpp"
+#include "core/exchange/triangles/read_ply.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,10 @@
-#include "core/exchange/read_stl.hpp"
+#include "core/exchange/triangles/read_stl.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cstring>
 
-#include "core/exchange/point_welder.hpp"
+#include "core/exchange/repair/point_welder.hpp"
 #include "tests/exchange/mesh_text.hpp"
 
 namespace hariko {

@@ -9,7 +9,7 @@
 #include <cstring>
 #include <functional>
 
-#include "core/exchange/read_off.hpp"
+#include "core/exchange/triangles/read_off.hpp"
 #include "core/exchange/write_mesh.hpp"
 #include "tests/exchange/gltf_text.hpp"
 #include "tests/exchange/mesh_text.hpp"

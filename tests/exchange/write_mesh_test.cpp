@@ -13,11 +13,11 @@
 #include <sstream>
 
 #include "core/exchange/mesh_file.hpp"
-#include "core/exchange/read_obj.hpp"
-#include "core/exchange/read_off.hpp"
-#include "core/exchange/read_ply.hpp"
-#include "core/exchange/read_stl.hpp"
-#include "core/exchange/triangulate.hpp"
+#include "core/exchange/obj/read_obj.hpp"
+#include "core/exchange/repair/triangulate.hpp"
+#include "core/exchange/triangles/read_off.hpp"
+#include "core/exchange/triangles/read_ply.hpp"
+#include "core/exchange/triangles/read_stl.hpp"
 #include "tests/exchange/mesh_text.hpp"
 #include "tests/support/places.hpp"
 

@@ -10,7 +10,7 @@
 #include "app/files/export_cad.hpp"
 #include "app/files/export_surfaces.hpp"
 #include "app/files/sheet_file.hpp"
-#include "core/document/edit_objects.hpp"
+#include "core/document/edits/edit_objects.hpp"
 #include "core/document/file.hpp"
 #include "render/image.hpp"
 #include "tests/files/system_faults.hpp"

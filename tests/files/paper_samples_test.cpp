@@ -4,7 +4,7 @@
 #include <filesystem>
 
 #include "app/files/model_facets.hpp"
-#include "core/document/edit_paper.hpp"
+#include "core/document/edits/edit_paper.hpp"
 #include "core/document/file.hpp"
 #include "core/unfolding/paper_document.hpp"
 #include "tests/support/places.hpp"

@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "core/base/printable.hpp"
+#include "core/base/text/sanitized_utf8.hpp"
 #include "core/exchange/imported_mesh.hpp"
 #include "core/exchange/write_mesh.hpp"
 
@@ -22,8 +22,8 @@ inline void require(bool condition, const char* what) {
 inline void check(const Message& message, Severity severity) {
   require(message.severity == severity, "severity");
   require(!message.code.name.empty() && !message.text.empty(), "message is empty");
-  require(printable(message.text, 100'000) == message.text, "text is printable");
-  require(printable(message.remedy, 100'000) == message.remedy, "remedy is printable");
+  require(sanitized_utf8(message.text, 100'000) == message.text, "text is printable");
+  require(sanitized_utf8(message.remedy, 100'000) == message.remedy, "remedy is printable");
 }
 
 /// A mesh has sound offsets, indices in range and finite positions, and its size is in proportion to the
@@ -32,7 +32,7 @@ inline void check(const Result<ImportedMesh>& result, std::size_t bytes) {
   if (!result.ok()) return check(result.error(), Severity::error);
   const PolygonMesh& mesh = result->mesh;
   for (const Message& warning : result->warnings) check(warning, Severity::warning);
-  require(printable(result->name, 100'000) == result->name, "name is printable");
+  require(sanitized_utf8(result->name, 100'000) == result->name, "name is printable");
   require(mesh.face_offsets.size() > 1 && mesh.face_offsets.front() == 0, "there are faces");
   require(mesh.face_offsets.back() == mesh.face_vertices.size(), "offsets end at the corners");
   for (std::size_t f = 0; f < mesh.face_count(); ++f)

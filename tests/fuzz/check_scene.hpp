@@ -25,7 +25,7 @@ inline void check(const Result<ImportedScene>& result, bool triangles = true) {
   std::size_t vertices = 0, corners = 0;
   for (const ImportedPart& part : result->parts) {
     const PolygonMesh& mesh = part.mesh;
-    require(printable(part.name, 100'000) == part.name, "name is printable");
+    require(sanitized_utf8(part.name, 100'000) == part.name, "name is printable");
     require(mesh.face_count() > 0 && mesh.face_offsets.front() == 0, "there are faces");
     require(mesh.face_offsets.back() == mesh.face_vertices.size(), "offsets end at the corners");
     for (std::size_t f = 0; f < mesh.face_count(); ++f)

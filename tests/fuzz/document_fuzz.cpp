@@ -1,10 +1,10 @@
-#include "core/document/format.hpp"
+#include "core/document/format/format.hpp"
 
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 
-#include "core/base/printable.hpp"
+#include "core/base/text/sanitized_utf8.hpp"
 
 /// What reads is written, and that reads as an equal document with the same text; what does not, says why.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
@@ -17,7 +17,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const auto document = read_document({reinterpret_cast<const char*>(data), size});
   if (!document.ok()) {
     require(!document.error().text.empty(), "message is empty");
-    require(printable(document.error().text, 100'000) == document.error().text, "text is printable");
+    require(sanitized_utf8(document.error().text, 100'000) == document.error().text, "text is printable");
     return 0;
   }
   const std::string text = write_document(*document);

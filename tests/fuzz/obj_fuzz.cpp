@@ -1,4 +1,4 @@
-#include "core/exchange/read_obj.hpp"
+#include "core/exchange/obj/read_obj.hpp"
 #include "tests/fuzz/check_scene.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -1,4 +1,4 @@
-#include "core/exchange/json_kind.hpp"
+#include "core/exchange/gltf/detect_json_format.hpp"
 #include "core/exchange/read_patches.hpp"
 #include "tests/fuzz/check.hpp"
 

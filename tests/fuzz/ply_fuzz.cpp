@@ -1,4 +1,4 @@
-#include "core/exchange/read_ply.hpp"
+#include "core/exchange/triangles/read_ply.hpp"
 #include "tests/fuzz/check.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -1,4 +1,4 @@
-#include "core/exchange/read_3mf.hpp"
+#include "core/exchange/archive_3mf/read_3mf.hpp"
 #include "tests/fuzz/check_scene.hpp"
 
 /// Archives, and the text of models without an archive: packed text hardly changes in small ways.

@@ -7,8 +7,8 @@
 #include <iostream>
 #include <sstream>
 
-#include "core/gaussmap/linear_fill.hpp"
 #include "core/gaussmap/minkowski.hpp"
+#include "core/gaussmap/support_function_solve.hpp"
 #include "core/geometry/rotation.hpp"
 #include "tests/gaussmap/truths.hpp"
 #include "tests/support/random.hpp"

@@ -1,10 +1,10 @@
-#include "core/gaussmap/border_outline.hpp"
+#include "core/gaussmap/outlines/border_outline.hpp"
 
 #include <gtest/gtest.h>
 
 #include "core/gaussmap/outline_polyhedron.hpp"
-#include "core/gaussmap/resample_loop.hpp"
-#include "core/gaussmap/sphere_mesh.hpp"
+#include "core/gaussmap/outlines/resample_loop.hpp"
+#include "core/gaussmap/sphere/spherical_delaunay.hpp"
 #include "core/geometry/angles.hpp"
 #include "core/patching/polyhedron_surface.hpp"
 #include "core/surface/bicubic_patch.hpp"

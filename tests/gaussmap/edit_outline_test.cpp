@@ -1,10 +1,10 @@
-#include "core/gaussmap/edit_outline.hpp"
+#include "core/gaussmap/outlines/edit_outline.hpp"
 
 #include <gtest/gtest.h>
 
-#include "core/gaussmap/outline_check.hpp"
-#include "core/gaussmap/sphere_mesh.hpp"
-#include "core/gaussmap/spread_normals.hpp"
+#include "core/gaussmap/outlines/interpolate_normals.hpp"
+#include "core/gaussmap/outlines/outline_check.hpp"
+#include "core/gaussmap/sphere/spherical_delaunay.hpp"
 #include "core/geometry/angles.hpp"
 #include "tests/gaussmap/truths.hpp"
 #include "tests/support/random.hpp"

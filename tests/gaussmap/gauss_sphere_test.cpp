@@ -1,6 +1,6 @@
 // What the second view shows of an outline: its image, sites, cells and tangent planes, step by step.
 
-#include "core/gaussmap/gauss_sphere.hpp"
+#include "core/gaussmap/sphere/gauss_sphere.hpp"
 
 #include <gtest/gtest.h>
 

@@ -2,12 +2,12 @@
 
 #include <gtest/gtest.h>
 
-#include "core/gaussmap/drawn_loop.hpp"
-#include "core/gaussmap/loop_curve.hpp"
-#include "core/gaussmap/outline_check.hpp"
-#include "core/gaussmap/resample_loop.hpp"
-#include "core/gaussmap/sphere_mesh.hpp"
-#include "core/gaussmap/spread_normals.hpp"
+#include "core/gaussmap/outlines/drawn_loop.hpp"
+#include "core/gaussmap/outlines/interpolate_normals.hpp"
+#include "core/gaussmap/outlines/loop_curve.hpp"
+#include "core/gaussmap/outlines/outline_check.hpp"
+#include "core/gaussmap/outlines/resample_loop.hpp"
+#include "core/gaussmap/sphere/spherical_delaunay.hpp"
 #include "core/geometry/angles.hpp"
 #include "tests/gaussmap/truths.hpp"
 #include "tests/support/random.hpp"

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 
+#include "core/gaussmap/bending_fill.hpp"
 #include "core/gaussmap/minkowski.hpp"
-#include "core/gaussmap/position_fill.hpp"
-#include "core/gaussmap/site_insertion.hpp"
+#include "core/gaussmap/sphere/delaunay_refinement.hpp"
 #include "tests/gaussmap/truths.hpp"
 #include "tests/support/random.hpp"
 

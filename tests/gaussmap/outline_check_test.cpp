@@ -1,9 +1,9 @@
-#include "core/gaussmap/outline_check.hpp"
+#include "core/gaussmap/outlines/outline_check.hpp"
 
 #include <gtest/gtest.h>
 
-#include "core/gaussmap/arc_crossings.hpp"
-#include "core/gaussmap/sphere_mesh.hpp"
+#include "core/gaussmap/sphere/arc_crossings.hpp"
+#include "core/gaussmap/sphere/spherical_delaunay.hpp"
 #include "core/geometry/angles.hpp"
 #include "tests/gaussmap/truths.hpp"
 #include "tests/support/random.hpp"

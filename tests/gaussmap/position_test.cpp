@@ -8,8 +8,8 @@
 #include <set>
 #include <sstream>
 
+#include "core/gaussmap/lloyd_relaxed_mesh.hpp"
 #include "core/gaussmap/position_mesh.hpp"
-#include "core/gaussmap/spread_mesh.hpp"
 #include "tests/gaussmap/truths.hpp"
 #include "tests/support/random.hpp"
 

@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "core/gaussmap/gauss_sphere.hpp"
 #include "core/gaussmap/outline_polyhedron.hpp"
+#include "core/gaussmap/sphere/gauss_sphere.hpp"
 #include "tests/gaussmap/truths.hpp"
 #include "tests/support/random.hpp"
 

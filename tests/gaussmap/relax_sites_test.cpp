@@ -1,13 +1,13 @@
 // Sites spread evenly: the triangulation stays Delaunay inside its loops, and cells become alike.
 
-#include "core/gaussmap/relax_sites.hpp"
+#include "core/gaussmap/sphere/lloyd_relaxed_sites.hpp"
 
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
 #include <map>
 
-#include "core/gaussmap/site_insertion.hpp"
+#include "core/gaussmap/sphere/delaunay_refinement.hpp"
 #include "core/geometry/orientation.hpp"
 #include "tests/gaussmap/truths.hpp"
 #include "tests/support/random.hpp"

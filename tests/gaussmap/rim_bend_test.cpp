@@ -12,9 +12,9 @@
 
 #include "core/analysis/curvature.hpp"
 #include "core/gaussmap/outline_polyhedron.hpp"
-#include "core/gaussmap/sphere_mesh.hpp"
+#include "core/gaussmap/sphere/spherical_delaunay.hpp"
+#include "core/patching/fair/boundary_curvature_load.hpp"
 #include "core/patching/polyhedron_surface.hpp"
-#include "core/patching/rim_bend.hpp"
 #include "tests/gaussmap/truths.hpp"
 #include "tests/support/random.hpp"
 
@@ -111,7 +111,7 @@ Error curvature_error(const OutlinePolyhedron& polyhedron, const GroundTruth& of
   return out;
 }
 
-TEST(RimBend, SurfacesGoOnBendingAtTheirRims) {
+TEST(BoundaryCurvatureLoad, SurfacesGoOnBendingAtTheirRims) {
   for (const auto& [truth, mode] : {std::pair{sphere_cap(24), GaussMode::curvature},
                                     {ellipsoid_cap(32), GaussMode::curvature},
                                     {paraboloid_cap(32), GaussMode::curvature},
@@ -138,7 +138,7 @@ TEST(RimBend, SurfacesGoOnBendingAtTheirRims) {
   }
 }
 
-TEST(RimBend, TheSphereCapIsOneToItsRim) {
+TEST(BoundaryCurvatureLoad, TheSphereCapIsOneToItsRim) {
   const GroundTruth truth = sphere_cap(32);
   const OutlinePolyhedron polyhedron = over_true_points(truth, GaussMode::curvature);
   // Radius 2: without bending across the rim the curvature is off by more than all of it.
@@ -160,14 +160,14 @@ double largest_difference(const PolyhedronSurface& a, const PolyhedronSurface& b
   return out;
 }
 
-TEST(RimBend, DragsAreWhatAFullSolveGives) {
+TEST(BoundaryCurvatureLoad, DragsAreWhatAFullSolveGives) {
   for_random(9611, 2, [](std::mt19937_64& rng) {
     const GroundTruth truth = sphere_cap(16);
     const OutlinePolyhedron outline = *outline_polyhedron(*control_points(truth.outline, {}));
     const HalfEdgeMesh& mesh = outline.polyhedron.topology();
     PolyhedronSurfaceInput input = input_of(outline);
     std::vector<bool> at_rim(mesh.vertex_count(), false);
-    for (const Index h : clamped_rims(input.polyhedron, input.shaping))
+    for (const Index h : clamped_boundary_edges(input.polyhedron, input.shaping))
       for (const Index v : {mesh.origin(h), mesh.target(h), mesh.target(mesh.next(h))}) at_rim[v] = true;
     for (const bool rim : {false, true}) {
       Index v = 0;
@@ -191,18 +191,18 @@ TEST(RimBend, DragsAreWhatAFullSolveGives) {
   });
 }
 
-TEST(RimBend, OnlyWhereTagsAndPinsSayItAndAsLongAsTheyDo) {
+TEST(BoundaryCurvatureLoad, OnlyWhereTagsAndPinsSayItAndAsLongAsTheyDo) {
   const OutlinePolyhedron outline = *outline_polyhedron(*control_points(sphere_cap(16).outline, {}));
   const Polyhedron& polyhedron = outline.polyhedron;
   const HalfEdgeMesh& mesh = polyhedron.topology();
-  const std::vector<Index> rims = clamped_rims(polyhedron, outline.shaping);
+  const std::vector<Index> rims = clamped_boundary_edges(polyhedron, outline.shaping);
   EXPECT_EQ(rims.size(), 16u);
   Shaping tags_only = outline.shaping, pins_only = outline.shaping;
   tags_only.pin = {};
   pins_only.tag = {};
-  EXPECT_TRUE(clamped_rims(polyhedron, tags_only).empty());
-  EXPECT_TRUE(clamped_rims(polyhedron, pins_only).empty());
-  EXPECT_TRUE(clamped_rims(polyhedron, {}).empty());
+  EXPECT_TRUE(clamped_boundary_edges(polyhedron, tags_only).empty());
+  EXPECT_TRUE(clamped_boundary_edges(polyhedron, pins_only).empty());
+  EXPECT_TRUE(clamped_boundary_edges(polyhedron, {}).empty());
 
   // A surfacer that has seen the pins go and come gives what a new one does.
   PolyhedronSurfacer surfacer;
@@ -212,7 +212,7 @@ TEST(RimBend, OnlyWhereTagsAndPinsSayItAndAsLongAsTheyDo) {
   for (const bool pinned : {false, true}) {
     if (!pinned) input.shaping.pin.erase(third);
     if (pinned) input.shaping = outline.shaping;
-    EXPECT_EQ(clamped_rims(polyhedron, input.shaping).size() < 16, !pinned);
+    EXPECT_EQ(clamped_boundary_edges(polyhedron, input.shaping).size() < 16, !pinned);
     const auto dragged = surfacer.rebuild(input, Quality::drag);
     ASSERT_TRUE(dragged.ok());
     EXPECT_LT(largest_difference(*dragged, *PolyhedronSurfacer().rebuild(input)), 1e-4);
@@ -220,7 +220,7 @@ TEST(RimBend, OnlyWhereTagsAndPinsSayItAndAsLongAsTheyDo) {
   }
 }
 
-TEST(RimBend, SizeDoesNotMatterAndFoldedRimsStayFinite) {
+TEST(BoundaryCurvatureLoad, SizeDoesNotMatterAndFoldedRimsStayFinite) {
   for_random(9612, 4, [](std::mt19937_64& rng) {
     const OutlinePolyhedron outline = *outline_polyhedron(*control_points(sphere_cap(16).outline, {}));
     const Polyhedron& polyhedron = outline.polyhedron;
@@ -245,7 +245,7 @@ TEST(RimBend, SizeDoesNotMatterAndFoldedRimsStayFinite) {
 
     // The third corner of a rim's triangle on the rim, and all of the triangle in one point.
     input = input_of(outline);
-    const std::vector<Index> rims = clamped_rims(polyhedron, outline.shaping);
+    const std::vector<Index> rims = clamped_boundary_edges(polyhedron, outline.shaping);
     const Index h = rims[rng() % rims.size()], c = mesh.target(mesh.next(h));
     const Vector3 a = polyhedron.position(mesh.origin(h)), b = polyhedron.position(mesh.target(h));
     for (const bool point : {false, true}) {

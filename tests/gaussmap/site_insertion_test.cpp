@@ -1,4 +1,4 @@
-#include "core/gaussmap/site_insertion.hpp"
+#include "core/gaussmap/sphere/delaunay_refinement.hpp"
 
 #include <gtest/gtest.h>
 

@@ -11,7 +11,7 @@
 #include <sstream>
 
 #include "core/gaussmap/outline_polyhedron.hpp"
-#include "core/gaussmap/sphere_mesh.hpp"
+#include "core/gaussmap/sphere/spherical_delaunay.hpp"
 #include "core/geometry/angles.hpp"
 #include "core/patching/polyhedron_surface.hpp"
 #include "tests/gaussmap/truths.hpp"

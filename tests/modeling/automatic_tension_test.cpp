@@ -1,8 +1,8 @@
 // Automatic tension from the lengths of edges.
 
-#include "core/modeling/automatic_tension.hpp"
+#include "core/modeling/surfacing/automatic_tension.hpp"
 
-#include "core/document/edits.hpp"
+#include "core/document/edits/edits.hpp"
 #include "tests/modeling/support.hpp"
 
 namespace hariko {

@@ -2,9 +2,9 @@
 
 #include <map>
 
-#include "core/document/edit_elements.hpp"
-#include "core/modeling/bevel_edges.hpp"
-#include "core/modeling/bevel_vertices.hpp"
+#include "core/document/edits/edit_elements.hpp"
+#include "core/modeling/operations/bevel_edges.hpp"
+#include "core/modeling/operations/bevel_vertices.hpp"
 #include "tests/modeling/support.hpp"
 
 namespace hariko {
@@ -26,7 +26,7 @@ std::map<Index, int> side_counts(const PolyhedronSource& source) {
 TEST(BevelVertices, TruncatedCube) {
   const PolyhedronSource cube = source_of(test::cube());
   const double share = 1 - std::sqrt(0.5);
-  const Modeled out = bevel_vertices(cube, all_vertices(cube), {.amount = share}).value();
+  const EditResult out = bevel_vertices(cube, all_vertices(cube), {.amount = share}).value();
   EXPECT_EQ(counts(out.source), "24/36/14");
   EXPECT_EQ(side_counts(out.source), (std::map<Index, int>{{3, 8}, {8, 6}}));
   EXPECT_EQ(out.selection.faces.size(), 8U);
@@ -45,7 +45,7 @@ TEST(BevelVertices, TruncatedCube) {
 
 TEST(BevelVertices, OneCornerByDistance) {
   const PolyhedronSource cube = source_of(test::cube());
-  const Modeled out =
+  const EditResult out =
       bevel_vertices(cube, Vertices{{6}}, {.amount = 0.5, .measure = Measure::distance}).value();
   EXPECT_EQ(counts(out.source), "10/15/7");
   EXPECT_EQ(out.source.polyhedron.find(VertexId{6}), no_index);
@@ -58,14 +58,14 @@ TEST(BevelVertices, OneCornerByDistance) {
 
 TEST(BevelVertices, BordersAndValenceTwo) {
   const PolyhedronSource sheet = source_of(test::grid(2, 2));
-  const Modeled tip = bevel_vertices(sheet, Vertices{{0}}, {.amount = 0.5}).value();
+  const EditResult tip = bevel_vertices(sheet, Vertices{{0}}, {.amount = 0.5}).value();
   EXPECT_EQ(counts(tip.source), "10/13/4");
   EXPECT_EQ(tip.selection.edges.size(), 1U);
-  const Modeled side = bevel_vertices(sheet, Vertices{{1}}, {.amount = 0.5}).value();
+  const EditResult side = bevel_vertices(sheet, Vertices{{1}}, {.amount = 0.5}).value();
   EXPECT_EQ(counts(side.source), "11/15/5");
   EXPECT_EQ(side.selection.faces.size(), 1U);
   expect_areas(side.source, 0.01);
-  const Modeled all = bevel_vertices(sheet, all_vertices(sheet), {.amount = 0.25}).value();
+  const EditResult all = bevel_vertices(sheet, all_vertices(sheet), {.amount = 0.25}).value();
   EXPECT_EQ(euler(all.source), 1);
   expect_surface(all.source);
 }
@@ -79,7 +79,7 @@ TEST(BevelVertices, ShapingIsCarried) {
   shaping.crease.set(EdgeId::of({4}, {5}), true);
   shaping.pin.set({6}, {Pin::Kind::normal, {{0, 0, 1}}});
   cube.shaping = shaping;
-  const Modeled out = bevel_vertices(cube, Vertices{{6}, {4}}, {.amount = 0.3}).value();
+  const EditResult out = bevel_vertices(cube, Vertices{{6}, {4}}, {.amount = 0.3}).value();
   const Shaping& after = *out.source.shaping;
   EXPECT_EQ(after.alpha.size(), 3U);
   EXPECT_EQ(after.beta.size(), 1U);
@@ -114,7 +114,7 @@ TEST(BevelVertices, RandomMeshes) {
 
 TEST(BevelEdges, OneEdgeOfACube) {
   const PolyhedronSource cube = source_of(test::cube());
-  const Modeled out = bevel_edges(cube, Edges{EdgeId::of({5}, {6})}, 0.5).value();
+  const EditResult out = bevel_edges(cube, Edges{EdgeId::of({5}, {6})}, 0.5).value();
   EXPECT_EQ(counts(out.source), "10/15/7");
   EXPECT_EQ(side_counts(out.source), (std::map<Index, int>{{4, 5}, {5, 2}}));
   EXPECT_EQ(out.selection.faces.size(), 1U);
@@ -129,7 +129,7 @@ TEST(BevelEdges, OneEdgeOfACube) {
 
 TEST(BevelEdges, AllEdgesOfACube) {
   const PolyhedronSource cube = source_of(test::cube());
-  const Modeled out = bevel_edges(cube, all_edges(cube), 0.5).value();
+  const EditResult out = bevel_edges(cube, all_edges(cube), 0.5).value();
   EXPECT_EQ(counts(out.source), "24/48/26");
   EXPECT_EQ(side_counts(out.source), (std::map<Index, int>{{3, 8}, {4, 18}}));
   EXPECT_EQ(out.selection.faces.size(), 12U + 8U);
@@ -142,14 +142,14 @@ TEST(BevelEdges, AllEdgesOfACube) {
 
 TEST(BevelEdges, TwoAndThreeEdgesMeet) {
   const PolyhedronSource cube = source_of(test::cube());
-  const Modeled two = bevel_edges(cube, Edges{EdgeId::of({5}, {6}), EdgeId::of({6}, {7})}, 0.5).value();
+  const EditResult two = bevel_edges(cube, Edges{EdgeId::of({5}, {6}), EdgeId::of({6}, {7})}, 0.5).value();
   EXPECT_EQ(counts(two.source), "11/17/8") << "the bands meet in an edge";
   expect_planar(two.source, 1e-14);
-  const Modeled three =
+  const EditResult three =
       bevel_edges(cube, Edges{EdgeId::of({5}, {6}), EdgeId::of({6}, {7}), EdgeId::of({2}, {6})}, 0.5).value();
   EXPECT_EQ(counts(three.source), "13/21/10");
   EXPECT_EQ(three.selection.faces.size(), 4U);
-  const Modeled loop =
+  const EditResult loop =
       bevel_edges(
           cube, Edges{EdgeId::of({4}, {5}), EdgeId::of({5}, {6}), EdgeId::of({6}, {7}), EdgeId::of({4}, {7})},
           0.5)
@@ -160,15 +160,15 @@ TEST(BevelEdges, TwoAndThreeEdgesMeet) {
 
 TEST(BevelEdges, EndsAtVerticesOfFourEdgesAndAtBorders) {
   const PolyhedronSource sheet = source_of(test::grid(4, 4));
-  const Modeled inner = bevel_edges(sheet, Edges{EdgeId::of({7}, {12})}, 0.1).value();
+  const EditResult inner = bevel_edges(sheet, Edges{EdgeId::of({7}, {12})}, 0.1).value();
   EXPECT_EQ(inner.source.polyhedron.face_count(), 16U + 3U) << "a band and a triangle at each end";
   EXPECT_EQ(inner.source.polyhedron.vertex_count(), 25U + 4U);
   expect_areas(inner.source, 1e-3);
-  const Modeled across = bevel_edges(sheet,
-                                     Edges{EdgeId::of({2}, {7}), EdgeId::of({7}, {12}),
-                                           EdgeId::of({12}, {17}), EdgeId::of({17}, {22})},
-                                     0.1)
-                             .value();
+  const EditResult across = bevel_edges(sheet,
+                                        Edges{EdgeId::of({2}, {7}), EdgeId::of({7}, {12}),
+                                              EdgeId::of({12}, {17}), EdgeId::of({17}, {22})},
+                                        0.1)
+                                .value();
   EXPECT_EQ(across.source.polyhedron.face_count(), 16U + 4U);
   EXPECT_EQ(across.source.polyhedron.vertex_count(), 25U + 5U);
   expect_areas(across.source, 0.01);
@@ -177,7 +177,7 @@ TEST(BevelEdges, EndsAtVerticesOfFourEdgesAndAtBorders) {
     EXPECT_LE(std::abs(p.x()), 1);
     EXPECT_LE(std::abs(p.y()), 1) << "the outline stays";
   }
-  const Modeled all = bevel_edges(sheet, all_edges(sheet), 0.1).value();
+  const EditResult all = bevel_edges(sheet, all_edges(sheet), 0.1).value();
   EXPECT_EQ(euler(all.source), 1);
   expect_surface(all.source);
 }
@@ -190,7 +190,7 @@ TEST(BevelEdges, ShapingIsCarried) {
   shaping.beta.set(EdgeId::of({6}, {7}), 3);
   shaping.alpha.set({6}, 2);
   cube.shaping = shaping;
-  const Modeled out = bevel_edges(cube, Edges{EdgeId::of({5}, {6})}, 0.8).value();
+  const EditResult out = bevel_edges(cube, Edges{EdgeId::of({5}, {6})}, 0.8).value();
   EXPECT_EQ(out.source.shaping->crease.size(), 2U) << "both sides of the band";
   EXPECT_EQ(out.source.shaping->beta.size(), 3U);
   EXPECT_EQ(out.source.shaping->alpha.size(), 2U);

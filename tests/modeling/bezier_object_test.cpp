@@ -3,10 +3,10 @@
 #include <gtest/gtest.h>
 
 #include "core/document/convert_unit.hpp"
-#include "core/document/edit_objects.hpp"
+#include "core/document/edits/edit_objects.hpp"
 #include "core/document/object_box.hpp"
-#include "core/modeling/attached.hpp"
-#include "core/modeling/transformation.hpp"
+#include "core/modeling/objects/transformation.hpp"
+#include "core/modeling/surfacing/object_surfacer.hpp"
 
 namespace hariko {
 namespace {

@@ -5,12 +5,12 @@
 
 #include <limits>
 
-#include "core/document/edit_elements.hpp"
+#include "core/document/edits/edit_elements.hpp"
 #include "core/geometry/polygon.hpp"
-#include "core/modeling/cut_faces.hpp"
-#include "core/modeling/delete_elements.hpp"
-#include "core/modeling/dissolve.hpp"
-#include "core/modeling/merge_vertices.hpp"
+#include "core/modeling/cuts/cut_faces.hpp"
+#include "core/modeling/operations/delete_elements.hpp"
+#include "core/modeling/operations/dissolve.hpp"
+#include "core/modeling/operations/merge_vertices.hpp"
 #include "core/polyhedron/face_decomposition.hpp"
 #include "tests/modeling/operation_cases.hpp"
 
@@ -204,7 +204,7 @@ TEST(Dissolve, RandomMeshes) {
   test::for_random(93, 300, [&](std::mt19937_64& rng) {
     const PolyhedronSource source = test::random_source(rng);
     const double share = test::chance(rng, 0.5) ? 0.05 : test::uniform(rng, 0, 0.5);
-    const auto check = [&](const Result<Modeled>& done) {
+    const auto check = [&](const Result<EditResult>& done) {
       if (!done.ok()) return test::expect_refusal(done.error());
       ++done_count;
       test::expect_sound(*done, source);
@@ -229,7 +229,7 @@ TEST(Delete, RandomMeshesAsIfTheFacesHadNeverBeen) {
     const PolyhedronSource source = test::random_source(rng);
     const Polyhedron& polyhedron = source.polyhedron;
     const double share = test::chance(rng, 0.5) ? 0.1 : test::uniform(rng);
-    const auto check = [&](const Result<Modeled>& done, const std::set<FaceId>& gone) {
+    const auto check = [&](const Result<EditResult>& done, const std::set<FaceId>& gone) {
       PolygonMesh left;
       left.positions = polyhedron.positions();
       for (Index f = 0; f < polyhedron.face_count(); ++f)
@@ -332,7 +332,7 @@ TEST(Merge, RandomMeshesAsIfTheVerticesHadBeenOne) {
     const PolyhedronSource source = test::random_source(rng);
     const Polyhedron& polyhedron = source.polyhedron;
     // Corners that follow each other and became one vertex count once; faces of less than three go.
-    const auto check = [&](const Result<Modeled>& done, const std::vector<Index>& target, bool any) {
+    const auto check = [&](const Result<EditResult>& done, const std::vector<Index>& target, bool any) {
       PolygonMesh merged;
       merged.positions = polyhedron.positions();
       for (Index f = 0; f < polyhedron.face_count(); ++f) {
@@ -371,7 +371,7 @@ TEST(Merge, RandomMeshesAsIfTheVerticesHadBeenOne) {
 
 TEST(Cleanup, SillyParametersAreRefused) {
   const PolyhedronSource cube = source_of(test::cube());
-  const auto code = [](const Result<Modeled>& result) {
+  const auto code = [](const Result<EditResult>& result) {
     EXPECT_FALSE(result.ok());
     if (!result.ok()) test::expect_refusal(result.error());
     return result.ok() ? Code{""} : result.error().code;

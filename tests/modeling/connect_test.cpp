@@ -4,15 +4,15 @@
 
 #include <limits>
 
-#include "core/document/edits.hpp"
-#include "core/modeling/border_loops.hpp"
-#include "core/modeling/bridge.hpp"
-#include "core/modeling/delete_elements.hpp"
-#include "core/modeling/fill_hole.hpp"
-#include "core/modeling/flip.hpp"
-#include "core/modeling/join.hpp"
-#include "core/modeling/merge_vertices.hpp"
-#include "core/modeling/separate.hpp"
+#include "core/document/edits/edits.hpp"
+#include "core/modeling/operations/border_loops.hpp"
+#include "core/modeling/operations/bridge.hpp"
+#include "core/modeling/operations/delete_elements.hpp"
+#include "core/modeling/operations/fill_hole.hpp"
+#include "core/modeling/operations/flip.hpp"
+#include "core/modeling/operations/join.hpp"
+#include "core/modeling/operations/merge_vertices.hpp"
+#include "core/modeling/operations/separate.hpp"
 #include "core/polyhedron/volume.hpp"
 #include "tests/modeling/operation_cases.hpp"
 

@@ -1,20 +1,20 @@
-#include "core/modeling/convert_object.hpp"
+#include "core/modeling/surfacing/convert_object.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "core/approximation/surface_foot.hpp"
-#include "core/base/file_io.hpp"
-#include "core/document/edit_elements.hpp"
-#include "core/document/edit_objects.hpp"
-#include "core/document/read_outline.hpp"
-#include "core/document/read_solids.hpp"
+#include "core/approximation/surface_projector.hpp"
+#include "core/base/files/file_io.hpp"
+#include "core/document/edits/edit_elements.hpp"
+#include "core/document/edits/edit_objects.hpp"
+#include "core/document/format/read_outline.hpp"
+#include "core/document/format/read_solids.hpp"
 #include "core/envelope/ball/tightness.hpp"
 #include "core/envelope/envelope.hpp"
 #include "core/gaussmap/control_points.hpp"
-#include "core/gaussmap/outline_check.hpp"
-#include "core/modeling/attached.hpp"
+#include "core/gaussmap/outlines/outline_check.hpp"
+#include "core/modeling/surfacing/object_surfacer.hpp"
 #include "tests/support/places.hpp"
 
 namespace hariko {

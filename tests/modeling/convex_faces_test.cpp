@@ -1,11 +1,11 @@
 // Concave faces cut on the way to the surface.
 
-#include "core/modeling/convex_faces.hpp"
+#include "core/modeling/surfacing/convex_faces.hpp"
 
 #include "core/analysis/continuity.hpp"
 #include "core/analysis/measures.hpp"
-#include "core/modeling/cut_faces.hpp"
-#include "core/modeling/transformation.hpp"
+#include "core/modeling/cuts/cut_faces.hpp"
+#include "core/modeling/objects/transformation.hpp"
 #include "core/polyhedron/validation.hpp"
 #include "tests/modeling/support.hpp"
 #include "tests/support/golden.hpp"

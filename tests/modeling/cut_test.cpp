@@ -1,9 +1,9 @@
 // Cutting faces: connecting points, paths, splitting.
 
-#include "core/modeling/cut.hpp"
+#include "core/modeling/cuts/cut.hpp"
 
-#include "core/document/edit_elements.hpp"
-#include "core/modeling/diagonal.hpp"
+#include "core/document/edits/edit_elements.hpp"
+#include "core/modeling/cuts/diagonal.hpp"
 #include "tests/modeling/support.hpp"
 
 namespace hariko {
@@ -42,7 +42,7 @@ TEST(Diagonal, OfAConcavePolygon) {
 
 TEST(ConnectPoints, TwoCornersOfACube) {
   const PolyhedronSource cube = source_of(test::cube());
-  const Modeled out = connect_points(cube, Vertices{{4}, {6}}, {}).value();
+  const EditResult out = connect_points(cube, Vertices{{4}, {6}}, {}).value();
   EXPECT_EQ(counts(out.source), "8/13/7");
   EXPECT_EQ(out.selection.edges, std::set<EdgeId>{edge(4, 6)});
   expect_areas(out.source, 1);
@@ -57,13 +57,13 @@ TEST(ConnectPoints, TwoCornersOfACube) {
 
 TEST(ConnectPoints, EdgesAreConnectedAtTheirMiddles) {
   const PolyhedronSource cube = source_of(test::cube());
-  const Modeled ring =
+  const EditResult ring =
       connect_points(cube, {}, Edges{edge(0, 4), edge(1, 5), edge(2, 6), edge(3, 7)}).value();
   EXPECT_EQ(counts(ring.source), "12/20/10") << "as a loop cut";
   EXPECT_EQ(ring.selection.edges.size(), 4U);
-  const Modeled mixed = connect_points(cube, Vertices{{4}}, Edges{edge(5, 6)}).value();
+  const EditResult mixed = connect_points(cube, Vertices{{4}}, Edges{edge(5, 6)}).value();
   EXPECT_EQ(counts(mixed.source), "9/14/7");
-  const Modeled four =
+  const EditResult four =
       connect_points(cube, {}, Edges{edge(4, 5), edge(5, 6), edge(6, 7), edge(4, 7)}).value();
   EXPECT_EQ(counts(four.source), "12/20/10") << "a square within the square";
   expect_areas(four.source, 0.4);
@@ -71,7 +71,7 @@ TEST(ConnectPoints, EdgesAreConnectedAtTheirMiddles) {
 
 TEST(ConnectPoints, AChainOverSeveralFaces) {
   const PolyhedronSource sheet = source_of(test::grid(3, 3));
-  const Modeled out = connect_points(sheet, Vertices{{0}, {5}, {10}, {15}}, {}).value();
+  const EditResult out = connect_points(sheet, Vertices{{0}, {5}, {10}, {15}}, {}).value();
   EXPECT_EQ(counts(out.source), "16/27/12");
   EXPECT_EQ(out.selection.edges, (std::set<EdgeId>{edge(0, 5), edge(5, 10), edge(10, 15)}));
   EXPECT_EQ(out.source.shaping->tag.get_or({0}, VertexTag::automatic), VertexTag::corner)
@@ -88,7 +88,7 @@ TEST(CutPath, AcrossFacesThroughPointsOnEdges) {
   const PolyhedronSource cube = source_of(test::cube());
   const std::vector<CutPoint> path{VertexId{4}, EdgePoint{edge(5, 6), 0.25}, EdgePoint{edge(1, 2), 0.5},
                                    EdgePoint{edge(0, 3), 0.5}};
-  const Modeled out = cut_path(cube, path).value();
+  const EditResult out = cut_path(cube, path).value();
   EXPECT_EQ(counts(out.source), "11/18/9");
   EXPECT_EQ(out.selection.edges.size(), 3U);
   const Index first = out.source.polyhedron.find(VertexId{9});
@@ -122,7 +122,7 @@ TEST(CutPath, Refusals) {
 
 TEST(SplitFace, BetweenCorners) {
   const PolyhedronSource cube = source_of(test::cube());
-  const Modeled out = split_face(cube, {1}, {4}, {6}).value();
+  const EditResult out = split_face(cube, {1}, {4}, {6}).value();
   EXPECT_EQ(counts(out.source), "8/13/7");
   EXPECT_EQ(out.selection.edges, std::set<EdgeId>{edge(4, 6)});
   expect_error(split_face(cube, {1}, {4}, {5}), e_wrong_selection);

@@ -4,26 +4,26 @@
 
 #include <functional>
 
-#include "core/document/edits.hpp"
-#include "core/document/history.hpp"
-#include "core/modeling/bevel_edges.hpp"
-#include "core/modeling/bevel_vertices.hpp"
-#include "core/modeling/bridge.hpp"
-#include "core/modeling/cut.hpp"
-#include "core/modeling/cut_between.hpp"
-#include "core/modeling/cut_faces.hpp"
-#include "core/modeling/delete_elements.hpp"
-#include "core/modeling/dissolve.hpp"
-#include "core/modeling/edit_modeling.hpp"
-#include "core/modeling/extrude.hpp"
-#include "core/modeling/fill_hole.hpp"
-#include "core/modeling/flip.hpp"
-#include "core/modeling/halve.hpp"
-#include "core/modeling/inset.hpp"
-#include "core/modeling/loop_cut.hpp"
-#include "core/modeling/merge_vertices.hpp"
-#include "core/modeling/separate.hpp"
-#include "core/modeling/subdivide.hpp"
+#include "core/document/edits/edits.hpp"
+#include "core/document/history/history.hpp"
+#include "core/modeling/cuts/bisect.hpp"
+#include "core/modeling/cuts/cut.hpp"
+#include "core/modeling/cuts/cut_faces.hpp"
+#include "core/modeling/cuts/knife_path.hpp"
+#include "core/modeling/cuts/loop_cut.hpp"
+#include "core/modeling/cuts/subdivide.hpp"
+#include "core/modeling/objects/edit_modeling.hpp"
+#include "core/modeling/operations/bevel_edges.hpp"
+#include "core/modeling/operations/bevel_vertices.hpp"
+#include "core/modeling/operations/bridge.hpp"
+#include "core/modeling/operations/delete_elements.hpp"
+#include "core/modeling/operations/dissolve.hpp"
+#include "core/modeling/operations/extrude.hpp"
+#include "core/modeling/operations/fill_hole.hpp"
+#include "core/modeling/operations/flip.hpp"
+#include "core/modeling/operations/inset.hpp"
+#include "core/modeling/operations/merge_vertices.hpp"
+#include "core/modeling/operations/separate.hpp"
 #include "tests/modeling/support.hpp"
 
 namespace hariko {
@@ -34,7 +34,7 @@ using Rng = std::mt19937_64;
 
 struct Operation {
   const char* name;
-  std::function<Result<Modeled>(const PolyhedronSource&, Rng&)> run;
+  std::function<Result<EditResult>(const PolyhedronSource&, Rng&)> run;
   bool keeps_euler = true;
   int least = 50;  ///< of 300 meshes on which it must succeed
 };
@@ -60,13 +60,13 @@ double amount(const PolyhedronSource& source, Rng& rng) {
 }
 
 /// Between two points of any edges, in any plane through them.
-Result<Modeled> straight_cut(const PolyhedronSource& source, Rng& rng) {
+Result<EditResult> straight_cut(const PolyhedronSource& source, Rng& rng) {
   const CutPoint from = EdgePoint{some_edge(source, rng), uniform(rng, 0.05, 0.95)};
   const CutPoint to = chance(rng, 0.3)
                           ? CutPoint(corner_of(source, some_face(source, rng), rng))
                           : CutPoint(EdgePoint{some_edge(source, rng), uniform(rng, 0.05, 0.95)});
   const Vector3 way = position_of(source.polyhedron, to) - position_of(source.polyhedron, from);
-  const auto between = cut_between(source.polyhedron, from, to, way.cross(random_vector(rng)));
+  const auto between = knife_path(source.polyhedron, from, to, way.cross(random_vector(rng)));
   if (!between) return between.error();
   std::vector<CutPoint> path{from};
   path.insert(path.end(), between->begin(), between->end());

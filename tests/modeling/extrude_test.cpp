@@ -1,8 +1,8 @@
 // Extruding faces and open borders.
 
-#include "core/modeling/extrude.hpp"
+#include "core/modeling/operations/extrude.hpp"
 
-#include "core/document/edit_elements.hpp"
+#include "core/document/edits/edit_elements.hpp"
 #include "core/polyhedron/validation.hpp"
 #include "tests/modeling/support.hpp"
 
@@ -25,7 +25,7 @@ double volume_of(const PolyhedronSource& source) {
 
 TEST(ExtrudeFaces, CubeTop) {
   const PolyhedronSource cube = source_of(test::cube());
-  const Modeled out = extrude_faces(cube, Faces{{1}}, {.distance = 3}).value();
+  const EditResult out = extrude_faces(cube, Faces{{1}}, {.distance = 3}).value();
   EXPECT_EQ(counts(out.source), "12/20/10");
   EXPECT_EQ(out.selection, (ElementSet{{}, {}, {{1}}}));
   EXPECT_DOUBLE_EQ(volume_of(out.source), 8 + 12);
@@ -42,7 +42,7 @@ TEST(ExtrudeFaces, CubeTop) {
 
 TEST(ExtrudeFaces, InPlaceIsAllowed) {
   const PolyhedronSource cube = source_of(test::cube());
-  const Modeled out = extrude_faces(cube, Faces{{1}}).value();
+  const EditResult out = extrude_faces(cube, Faces{{1}}).value();
   EXPECT_EQ(counts(out.source), "12/20/10");
   EXPECT_DOUBLE_EQ(volume_of(out.source), 8);
 }
@@ -50,16 +50,16 @@ TEST(ExtrudeFaces, InPlaceIsAllowed) {
 TEST(ExtrudeFaces, RegionsMoveTogetherFacesApart) {
   const PolyhedronSource cube = source_of(test::cube());
   const Faces two{{1}, {3}};  // z = 1 and x = 1
-  const Modeled together = extrude_faces(cube, two, {.distance = std::sqrt(2)}).value();
+  const EditResult together = extrude_faces(cube, two, {.distance = std::sqrt(2)}).value();
   EXPECT_EQ(counts(together.source), "14/24/12");
   EXPECT_NEAR(
       (face_centre(together.source.polyhedron, together.source.polyhedron.find(FaceId{1})) - Vector3(1, 0, 2))
           .norm(),
       0, 1e-14);
-  const Modeled apart = extrude_faces(cube, two, {.distance = 2, .as = Grouping::individual}).value();
+  const EditResult apart = extrude_faces(cube, two, {.distance = 2, .as = Grouping::individual}).value();
   EXPECT_EQ(counts(apart.source), "16/28/14");
   EXPECT_NEAR(volume_of(apart.source), 8 + 2 * 8, 1e-12);
-  const Modeled all =
+  const EditResult all =
       extrude_faces(cube, all_faces(cube), {.distance = 2, .as = Grouping::individual}).value();
   EXPECT_EQ(counts(all.source), "32/60/30");
   EXPECT_NEAR(volume_of(all.source), 8 + 6 * 8, 1e-12);
@@ -69,7 +69,7 @@ TEST(ExtrudeFaces, RegionsMoveTogetherFacesApart) {
 TEST(ExtrudeFaces, InnerVerticesMoveWithTheirIds) {
   const PolyhedronSource sheet = source_of(test::grid(4, 4));
   const Faces middle{{5}, {6}, {9}, {10}};
-  const Modeled out = extrude_faces(sheet, middle, {.distance = 1}).value();
+  const EditResult out = extrude_faces(sheet, middle, {.distance = 1}).value();
   EXPECT_EQ(euler(out.source), 1);
   EXPECT_EQ(out.source.polyhedron.vertex_count(), 25U + 8U);
   const Index centre = out.source.polyhedron.find(VertexId{12});
@@ -81,7 +81,7 @@ TEST(ExtrudeFaces, ASheetBecomesABody) {
     PolygonMesh flat = test::grid(3, 2);
     for (Vector3& p : flat.positions) p.z() = 0;
     const PolyhedronSource sheet = source_of(flat);
-    const Modeled out = extrude_faces(sheet, all_faces(sheet), {.distance = distance}).value();
+    const EditResult out = extrude_faces(sheet, all_faces(sheet), {.distance = distance}).value();
     EXPECT_EQ(euler(out.source), 2);
     EXPECT_EQ(out.source.polyhedron.topology().border_loop_count(), 0U);
     EXPECT_NEAR(volume_of(out.source), 8, 1e-12) << "outside is outside";
@@ -91,7 +91,7 @@ TEST(ExtrudeFaces, ASheetBecomesABody) {
   Faces faces = all_faces(tube);
   const auto refused = extrude_faces(tube, faces, {.distance = 1});
   expect_error(refused, e_wrong_selection);  // its normals cancel out
-  const Modeled wall = extrude_faces(tube, faces).value();
+  const EditResult wall = extrude_faces(tube, faces).value();
   EXPECT_EQ(euler(wall.source), 0) << "the wall of a tube is a torus";
 }
 
@@ -103,7 +103,7 @@ TEST(ExtrudeFaces, ShapingIsCarried) {
   shaping.crease.set(EdgeId::of({4}, {5}), true);
   shaping.pin.set({6}, {Pin::Kind::normal, {{0, 0, 1}}});
   cube.shaping = shaping;
-  const Modeled out = extrude_faces(cube, Faces{{1}}, {.distance = 1}).value();
+  const EditResult out = extrude_faces(cube, Faces{{1}}, {.distance = 1}).value();
   const Polyhedron& p = out.source.polyhedron;
   const auto top = p.topology().face_vertices(p.find(FaceId{1}));
   const VertexId a = p.vertex_id(top[0]), b = p.vertex_id(top[1]);
@@ -125,7 +125,7 @@ TEST(ExtrudeFaces, ACreaseAcrossTheRimGoesUpTheWall) {
   for (const auto& [a, b] : {std::pair{2, 7}, {7, 12}, {12, 17}})
     shaping.crease.set(EdgeId::of({std::uint32_t(a)}, {std::uint32_t(b)}), true);
   sheet.shaping = shaping;
-  const Modeled out = extrude_faces(sheet, Faces{{5}, {6}, {9}, {10}}, {.distance = 1}).value();
+  const EditResult out = extrude_faces(sheet, Faces{{5}, {6}, {9}, {10}}, {.distance = 1}).value();
   // 2-7, 7-7', 7'-12, 12-17', and 17-17' is no crease: nothing beyond 17 is one.
   EXPECT_EQ(out.source.shaping->crease.size(), 4U);
 }
@@ -199,13 +199,13 @@ TEST(ExtrudeBorders, OfAGrid) {
   PolygonMesh flat = test::grid(1, 1);
   for (Vector3& p : flat.positions) p.z() = 0;
   const PolyhedronSource sheet = source_of(flat);
-  const Modeled one = extrude_borders(sheet, Edges{EdgeId::of({0}, {1})}, 0.5).value();
+  const EditResult one = extrude_borders(sheet, Edges{EdgeId::of({0}, {1})}, 0.5).value();
   EXPECT_EQ(counts(one.source), "6/7/2");
   EXPECT_EQ(one.selection.edges.size(), 1U);
   for (const VertexId v : {one.selection.edges.begin()->low, one.selection.edges.begin()->high})
     EXPECT_DOUBLE_EQ(one.source.polyhedron.position(one.source.polyhedron.find(v)).y(), -1.5);
   EXPECT_TRUE(one.source.shaping->tag.empty()) << "the border goes on straight";
-  const Modeled all = extrude_borders(sheet, all_edges(sheet), 0.5).value();
+  const EditResult all = extrude_borders(sheet, all_edges(sheet), 0.5).value();
   EXPECT_EQ(counts(all.source), "8/12/5");
   for (const VertexId v : all_vertices(all.source)) {
     const Vector3& p = all.source.polyhedron.position(all.source.polyhedron.find(v));

@@ -1,8 +1,8 @@
 // Insetting faces.
 
-#include "core/modeling/inset.hpp"
+#include "core/modeling/operations/inset.hpp"
 
-#include "core/document/edit_elements.hpp"
+#include "core/document/edits/edit_elements.hpp"
 #include "tests/modeling/support.hpp"
 
 namespace hariko {
@@ -19,7 +19,7 @@ double distance_to_line(const Vector3& p, const Vector3& a, const Vector3& b) {
 
 TEST(InsetFaces, CubeTop) {
   const PolyhedronSource cube = source_of(test::cube());
-  const Modeled out = inset_faces(cube, Faces{{1}}, {.amount = 0.25}).value();
+  const EditResult out = inset_faces(cube, Faces{{1}}, {.amount = 0.25}).value();
   EXPECT_EQ(counts(out.source), "12/20/10");
   EXPECT_EQ(out.selection, (ElementSet{{}, {}, {{1}}}));
   const Polyhedron& p = out.source.polyhedron;
@@ -27,7 +27,7 @@ TEST(InsetFaces, CubeTop) {
   expect_planar(out.source, 1e-15);
   expect_areas(out.source, 0.1);
   expect_surface(out.source);
-  const Modeled share = inset_faces(cube, Faces{{1}}, {.amount = 0.25, .measure = Measure::share}).value();
+  const EditResult share = inset_faces(cube, Faces{{1}}, {.amount = 0.25, .measure = Measure::share}).value();
   EXPECT_TRUE(share.source == out.source) << "the first edges vanish at 1";
   EXPECT_DOUBLE_EQ(largest_inset(cube, Faces{{1}}, Grouping::region).value(), 1);
 }
@@ -35,12 +35,12 @@ TEST(InsetFaces, CubeTop) {
 TEST(InsetFaces, ARegionSlidesOnItsInnerEdges) {
   const PolyhedronSource cube = source_of(test::cube());
   const Faces two{{1}, {3}};
-  const Modeled out = inset_faces(cube, two, {.amount = 0.25}).value();
+  const EditResult out = inset_faces(cube, two, {.amount = 0.25}).value();
   EXPECT_EQ(counts(out.source), "14/24/12");
   expect_planar(out.source, 1e-14);
   const Polyhedron& p = out.source.polyhedron;
   for (const FaceId face : two) EXPECT_NEAR(area_of(p, p.find(face)), 1.5 * 1.75, 1e-14);
-  const Modeled apart = inset_faces(cube, two, {.amount = 0.25, .as = Grouping::individual}).value();
+  const EditResult apart = inset_faces(cube, two, {.amount = 0.25, .as = Grouping::individual}).value();
   EXPECT_EQ(counts(apart.source), "16/28/14");
 }
 
@@ -49,7 +49,7 @@ TEST(InsetFaces, ConcaveFace) {
   ell.positions = {{0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {1, 1, 0}, {1, 2, 0}, {0, 2, 0}};
   ell.add_face({0, 1, 2, 3, 4, 5});
   const PolyhedronSource source = source_of(ell);
-  const Modeled out = inset_faces(source, Faces{{0}}, {.amount = 0.25}).value();
+  const EditResult out = inset_faces(source, Faces{{0}}, {.amount = 0.25}).value();
   EXPECT_EQ(counts(out.source), "12/18/7");
   const Polyhedron& p = out.source.polyhedron;
   EXPECT_NEAR(area_of(p, p.find(FaceId{0})), 1.25, 1e-14);
@@ -85,7 +85,7 @@ TEST(InsetFaces, CreasesRunAcrossTheBand) {
   shaping.crease.set(EdgeId::of({4}, {5}), true);  // on the rim
   shaping.beta.set(EdgeId::of({5}, {6}), 4);
   cube.shaping = shaping;
-  const Modeled out = inset_faces(cube, Faces{{1}, {3}}, {.amount = 0.25}).value();
+  const EditResult out = inset_faces(cube, Faces{{1}, {3}}, {.amount = 0.25}).value();
   EXPECT_EQ(out.source.shaping->crease.size(), 4U) << "three pieces of the inner edge and the rim";
   EXPECT_EQ(edges_of_tension(out.source, 4), 3);
   EXPECT_TRUE(out.source.shaping->crease.contains(EdgeId::of({4}, {5})));

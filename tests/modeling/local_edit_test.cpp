@@ -1,14 +1,14 @@
 // Local editing: what is fixed stays, what is far does not change.
 
-#include "core/modeling/local_edit.hpp"
+#include "core/modeling/surfacing/local_edit.hpp"
 
 #include <Eigen/Geometry>
 
 #include <set>
 
-#include "core/document/edits.hpp"
+#include "core/document/edits/edits.hpp"
 #include "core/patching/compare_surfaces.hpp"
-#include "core/patching/quartic_patch.hpp"
+#include "core/patching/quartic/quartic_patch.hpp"
 #include "tests/modeling/support.hpp"
 
 namespace hariko {

@@ -1,11 +1,11 @@
 // Edge loops, edge rings, and loop cuts through them.
 
-#include "core/modeling/loop_cut.hpp"
+#include "core/modeling/cuts/loop_cut.hpp"
 
 #include <set>
 
-#include "core/document/edit_elements.hpp"
-#include "core/modeling/edge_paths.hpp"
+#include "core/document/edits/edit_elements.hpp"
+#include "core/modeling/selection/edge_paths.hpp"
 #include "tests/modeling/support.hpp"
 
 namespace hariko {
@@ -69,30 +69,30 @@ TEST(EdgePaths, RandomMeshesHaveNoEdgeTwiceAndAgreeFromEveryStart) {
 
 TEST(LoopCut, Cube) {
   const PolyhedronSource cube = source_of(test::cube());
-  const Modeled one = loop_cut(cube, edge(0, 4)).value();
+  const EditResult one = loop_cut(cube, edge(0, 4)).value();
   EXPECT_EQ(counts(one.source), "12/20/10");
   EXPECT_EQ(one.selection.edges.size(), 4U);
   for (std::uint32_t v = 8; v < 12; ++v) EXPECT_EQ(one.source.polyhedron.position(v).z(), 0);
   expect_planar(one.source, 1e-15);
-  const Modeled three = loop_cut(cube, edge(0, 4), {.count = 3}).value();
+  const EditResult three = loop_cut(cube, edge(0, 4), {.count = 3}).value();
   EXPECT_EQ(counts(three.source), "20/36/18");
-  const Modeled low = loop_cut(cube, edge(0, 4), {.slide = -0.5}).value();
+  const EditResult low = loop_cut(cube, edge(0, 4), {.slide = -0.5}).value();
   for (std::uint32_t v = 8; v < 12; ++v)
     EXPECT_DOUBLE_EQ(low.source.polyhedron.position(v).z(), -0.5) << "all to the same side";
-  const Modeled high = loop_cut(cube, edge(3, 7), {.slide = 0.5}).value();
+  const EditResult high = loop_cut(cube, edge(3, 7), {.slide = 0.5}).value();
   for (std::uint32_t v = 8; v < 12; ++v) EXPECT_DOUBLE_EQ(high.source.polyhedron.position(v).z(), 0.5);
   expect_surface(three.source);
 }
 
 TEST(LoopCut, StopsAtOtherFacesAndBorders) {
   const PolyhedronSource prism = source_of(test::prism(6));
-  const Modeled side = loop_cut(prism, edge(0, 1)).value();
+  const EditResult side = loop_cut(prism, edge(0, 1)).value();
   EXPECT_EQ(counts(side.source), "14/21/9") << "one side cut, the hexagons became heptagons";
   EXPECT_EQ(side.selection.edges.size(), 1U);
-  const Modeled round = loop_cut(prism, edge(0, 6)).value();
+  const EditResult round = loop_cut(prism, edge(0, 6)).value();
   EXPECT_EQ(counts(round.source), "18/30/14");
   const PolyhedronSource sheet = source_of(test::grid(3, 4));
-  const Modeled across = loop_cut(sheet, edge(1, 5), {.count = 2}).value();
+  const EditResult across = loop_cut(sheet, edge(1, 5), {.count = 2}).value();
   EXPECT_EQ(across.source.polyhedron.face_count(), 12U + 6U);
   EXPECT_EQ(across.source.polyhedron.vertex_count(), 20U + 8U);
   expect_error(loop_cut(source_of(test::octahedron()), edge(0, 2)), e_wrong_selection);
@@ -120,7 +120,7 @@ TEST(LoopCut, AQuadCrossedTwiceBecomesAGrid) {
   EXPECT_EQ(crossing.size(), 5U);
   for (const int count : {1, 2, 3}) {
     const auto k = static_cast<Index>(count);
-    const Modeled out = loop_cut(both, edge(1, 2), {.count = count, .slide = 0.25}).value();
+    const EditResult out = loop_cut(both, edge(1, 2), {.count = count, .slide = 0.25}).value();
     EXPECT_EQ(euler(out.source), euler(both));
     EXPECT_EQ(out.source.polyhedron.face_count(), (k + 1) * (k + 1) + 2 * (k + 1));
     expect_areas(out.source, 1e-4);
@@ -135,7 +135,7 @@ TEST(LoopCut, ShapingIsCarried) {
   shaping.beta.set(edge(4, 5), 3);
   shaping.crease.set(edge(0, 4), true);
   cube.shaping = shaping;
-  const Modeled out = loop_cut(cube, edge(0, 4), {.slide = -0.5}).value();
+  const EditResult out = loop_cut(cube, edge(0, 4), {.slide = -0.5}).value();
   const Shaping& after = *out.source.shaping;
   EXPECT_EQ(after.alpha.get_or({8}, 0), 3) << "between 4 and 0";
   EXPECT_EQ(after.crease.size(), 2U);

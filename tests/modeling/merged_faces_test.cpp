@@ -1,6 +1,6 @@
 // Faces in one plane merged on the way to the surface.
 
-#include "core/modeling/merged_faces.hpp"
+#include "core/modeling/surfacing/merged_faces.hpp"
 
 #include <set>
 

@@ -1,12 +1,12 @@
-// MeshDraft: what it keeps, what it forgets, what it refuses; and edits of the document by operations.
+// MeshEditor: what it keeps, what it forgets, what it refuses; and edits of the document by operations.
 
-#include "core/modeling/mesh_draft.hpp"
+#include "core/modeling/mesh_editor.hpp"
 
 #include <gtest/gtest.h>
 
-#include "core/document/edits.hpp"
-#include "core/document/history.hpp"
-#include "core/modeling/edit_modeling.hpp"
+#include "core/document/edits/edits.hpp"
+#include "core/document/history/history.hpp"
+#include "core/modeling/objects/edit_modeling.hpp"
 #include "core/polyhedron/validation.hpp"
 #include "tests/document/random_documents.hpp"
 #include "tests/support/random_polyhedra.hpp"
@@ -18,7 +18,7 @@ PolyhedronSource cube_source() {
   return PolyhedronSource::from_mesh(test::cube()).value();
 }
 
-TEST(MeshDraft, UnchangedGivesAnEqualSource) {
+TEST(MeshEditor, UnchangedGivesAnEqualSource) {
   test::for_random(10, 100, [](std::mt19937_64& rng) {
     PolyhedronSource source = test::any_polyhedron(rng);
     Shaping shaping = *source.shaping;
@@ -27,12 +27,12 @@ TEST(MeshDraft, UnchangedGivesAnEqualSource) {
     source.shaping = shaping;
     // So are attachments of edges that are not on the border.
     source.attachments = Attachments{};
-    EXPECT_TRUE(MeshDraft(source).finish().value() == source);
+    EXPECT_TRUE(MeshEditor(source).finish().value() == source);
   });
 }
 
-TEST(MeshDraft, NewIdsFollowTheGreatest) {
-  MeshDraft draft(cube_source());
+TEST(MeshEditor, NewIdsFollowTheGreatest) {
+  MeshEditor draft(cube_source());
   EXPECT_EQ(draft.add_vertex({0, 0, 2}), VertexId{8});
   EXPECT_EQ(draft.add_vertex({0, 0, 3}), VertexId{9});
   draft.remove_face({5});
@@ -43,12 +43,12 @@ TEST(MeshDraft, NewIdsFollowTheGreatest) {
   EXPECT_NE(result.polyhedron.find(FaceId{6}), no_index);
 }
 
-TEST(MeshDraft, NumbersUsedUpAreRefused) {
+TEST(MeshEditor, NumbersUsedUpAreRefused) {
   PolygonMesh mesh = test::cube();
   std::vector<VertexId> ids{{0}, {1}, {2}, {3}, {4}, {5}, {6}, {0xfffffffeU}};
   PolyhedronSource source = cube_source();
   source.polyhedron = Polyhedron::build(mesh, ids, {{0}, {1}, {2}, {3}, {4}, {5}}).value();
-  MeshDraft draft(source);
+  MeshEditor draft(source);
   for (int i = 0; i < 3; ++i) {
     const VertexId v = draft.add_vertex({0, 0, 0});
     draft.set_face({1}, {{4}, {5}, {6}, v});
@@ -58,13 +58,13 @@ TEST(MeshDraft, NumbersUsedUpAreRefused) {
   EXPECT_EQ(refused.error().code.name, e_too_many_elements.name);
 }
 
-TEST(MeshDraft, SplitEdgeAndItsShaping) {
+TEST(MeshEditor, SplitEdgeAndItsShaping) {
   PolyhedronSource source = cube_source();
   Shaping shaping;
   shaping.beta.set(EdgeId::of({0}, {1}), 7);
   shaping.crease.set(EdgeId::of({0}, {1}), true);
   source.shaping = shaping;
-  MeshDraft draft(source);
+  MeshEditor draft(source);
   const VertexId middle = draft.add_vertex({0, -1, -1});
   draft.split_edge(EdgeId::of({0}, {1}), middle);
   EXPECT_FALSE(draft.contains(EdgeId::of({0}, {1})));
@@ -78,7 +78,7 @@ TEST(MeshDraft, SplitEdgeAndItsShaping) {
   EXPECT_EQ(result.shaping->crease.size(), 2U);
 }
 
-TEST(MeshDraft, ShapingOfWhatIsGoneIsForgotten) {
+TEST(MeshEditor, ShapingOfWhatIsGoneIsForgotten) {
   PolyhedronSource source = cube_source();
   Shaping shaping;
   shaping.alpha.set({0}, 2);
@@ -89,7 +89,7 @@ TEST(MeshDraft, ShapingOfWhatIsGoneIsForgotten) {
   shaping.pin.set({4}, {Pin::Kind::tangents, {{1, 0, 0}, {0, 1, 0}}});
   shaping.pin.set({5}, {Pin::Kind::tangents, {{1, 0, 0}, {2, 0, 0}}});
   source.shaping = shaping;
-  MeshDraft draft(source);
+  MeshEditor draft(source);
   for (const FaceId face : draft.faces_at(VertexId{6})) draft.remove_face(face);
   const auto result = std::move(draft).finish().value();
   EXPECT_EQ(result.polyhedron.vertex_count(), 7U);
@@ -101,7 +101,7 @@ TEST(MeshDraft, ShapingOfWhatIsGoneIsForgotten) {
   EXPECT_FALSE(result.shaping->pin.contains({5})) << "parallel tangents have no plane";
 }
 
-TEST(MeshDraft, CornerTagsNeedABorderOrCreases) {
+TEST(MeshEditor, CornerTagsNeedABorderOrCreases) {
   PolygonMesh open = test::without_face(test::cube(), 1);
   PolyhedronSource source = PolyhedronSource::from_mesh(open).value();
   Shaping shaping;
@@ -111,7 +111,7 @@ TEST(MeshDraft, CornerTagsNeedABorderOrCreases) {
   shaping.crease.set(EdgeId::of({1}, {5}), true);
   shaping.crease.set(EdgeId::of({4}, {5}), true);
   source.shaping = shaping;
-  MeshDraft draft(source);
+  MeshEditor draft(source);
   draft.add_face({{4}, {5}, {6}, {7}});
   const auto closed = std::move(draft).finish().value();
   EXPECT_FALSE(closed.shaping->tag.contains({4}));
@@ -119,22 +119,22 @@ TEST(MeshDraft, CornerTagsNeedABorderOrCreases) {
   EXPECT_TRUE(closed.shaping->tag.contains({6}));
 }
 
-TEST(MeshDraft, RefusesWhatIsNoPolyhedron) {
-  const auto code_of = [](MeshDraft draft) { return std::move(draft).finish().error().code.name; };
-  MeshDraft three(cube_source());
+TEST(MeshEditor, RefusesWhatIsNoPolyhedron) {
+  const auto code_of = [](MeshEditor draft) { return std::move(draft).finish().error().code.name; };
+  MeshEditor three(cube_source());
   const VertexId apex = three.add_vertex({0, 0, 5});
   three.add_face({{4}, {5}, apex});
   EXPECT_EQ(code_of(three), e_would_be_nonmanifold.name);
-  MeshDraft none(cube_source());
+  MeshEditor none(cube_source());
   for (const FaceId face : none.faces()) none.remove_face(face);
   EXPECT_EQ(code_of(none), e_no_faces.name);
-  MeshDraft far(cube_source());
+  MeshEditor far(cube_source());
   far.move_vertex({3}, {0, 0, std::numeric_limits<double>::infinity()});
   EXPECT_EQ(code_of(far), e_nonfinite.name);
-  MeshDraft small(cube_source());
+  MeshEditor small(cube_source());
   small.set_face({0}, {{0}, {1}});
   EXPECT_EQ(code_of(small), e_would_be_nonmanifold.name);
-  MeshDraft touching(cube_source());
+  MeshEditor touching(cube_source());
   touching.remove_face({0});
   touching.remove_face({3});
   touching.remove_face({5});
@@ -142,12 +142,12 @@ TEST(MeshDraft, RefusesWhatIsNoPolyhedron) {
   EXPECT_EQ(code_of(touching), e_would_be_nonmanifold.name);
 }
 
-Result<Modeled> open_the_top(const PolyhedronSource& source) {
-  MeshDraft draft(source);
+Result<EditResult> open_the_top(const PolyhedronSource& source) {
+  MeshEditor draft(source);
   draft.remove_face({1});
   Result<PolyhedronSource> result = std::move(draft).finish();
   if (!result) return result.error();
-  return Modeled{std::move(result).value(), {{{4}}, {}, {}}};
+  return EditResult{std::move(result).value(), {{{4}}, {}, {}}};
 }
 
 TEST(EditPolyhedron, ReplacesTheSourceAndUndoGivesItBack) {
@@ -172,7 +172,7 @@ TEST(EditPolyhedron, Refusals) {
   EXPECT_EQ(code_of(set_locked(document, test::cube_id, true).value(), test::cube_id), e_locked.name);
   const MeshSource mesh = MeshSource::from_mesh(test::cube()).value();
   EXPECT_EQ(code_of(set_source(document, test::cube_id, mesh).value(), test::cube_id), e_wrong_kind.name);
-  const auto refusing = [](const PolyhedronSource&) -> Result<Modeled> {
+  const auto refusing = [](const PolyhedronSource&) -> Result<EditResult> {
     return make_error(e_wrong_selection, "No.");
   };
   EXPECT_EQ(edit_polyhedron(document, test::cube_id, refusing).error().code.name, e_wrong_selection.name);

@@ -6,11 +6,11 @@
 #include <limits>
 
 #include "core/analysis/continuity.hpp"
-#include "core/document/edits.hpp"
-#include "core/modeling/edit_modeling.hpp"
-#include "core/modeling/halve.hpp"
-#include "core/modeling/primitives.hpp"
-#include "core/modeling/surface_input.hpp"
+#include "core/document/edits/edits.hpp"
+#include "core/modeling/cuts/bisect.hpp"
+#include "core/modeling/objects/edit_modeling.hpp"
+#include "core/modeling/objects/primitives.hpp"
+#include "core/modeling/surfacing/surface_input.hpp"
 #include "core/network/vertex_frames.hpp"
 #include "core/polyhedron/volume.hpp"
 #include "tests/modeling/operation_cases.hpp"
@@ -383,7 +383,7 @@ TEST(MirrorObject, TwiceIsTheSame) {
   test::for_random(114, 300, [](std::mt19937_64& rng) {
     const PolyhedronSource source = test::random_source(rng);
     const Axis axis = static_cast<Axis>(test::uniform_int(rng, 0, 2));
-    const Modeled image = mirror_object(source, axis);
+    const EditResult image = mirror_object(source, axis);
     EXPECT_EQ(euler_number(image.source.polyhedron), euler_number(source.polyhedron));
     const auto volumes =
         closed_component_volumes(source.polyhedron.topology(), source.polyhedron.positions());
@@ -410,7 +410,7 @@ TEST(MirrorObject, PinnedTangentsGiveTheMirroredSurface) {
       if (!pin.vectors.empty()) shaping.pin.set(source.polyhedron.vertex_id(v), pin);
     }
     source.shaping = shaping;
-    const Modeled image = mirror_object(source, Axis::y);
+    const EditResult image = mirror_object(source, Axis::y);
     const auto own = PolyhedronSurfacer().rebuild(*surface_input(source));
     const auto other = PolyhedronSurfacer().rebuild(*surface_input(image.source));
     ASSERT_TRUE(own.ok() && other.ok()) << to_string((own.ok() ? other : own).error());

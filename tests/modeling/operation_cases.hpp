@@ -8,7 +8,7 @@
 #include <set>
 #include <vector>
 
-#include "core/modeling/modeled.hpp"
+#include "core/modeling/edit_result.hpp"
 #include "core/polyhedron/validation.hpp"
 #include "tests/support/random_polyhedra.hpp"
 #include "tests/support/random_shaping.hpp"
@@ -63,7 +63,7 @@ inline int euler_number(const Polyhedron& polyhedron) {
 
 /// What every result must be, whatever the operation: a polyhedron (by its type) at the same origin, finite,
 /// without loose vertices, whose shaping and selection name elements that exist.
-inline void expect_sound(const Modeled& modeled, const PolyhedronSource& before) {
+inline void expect_sound(const EditResult& modeled, const PolyhedronSource& before) {
   const Polyhedron& polyhedron = modeled.source.polyhedron;
   EXPECT_EQ(modeled.source.origin, before.origin);
   EXPECT_EQ(modeled.source.mode, before.mode);

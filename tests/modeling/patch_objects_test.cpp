@@ -1,17 +1,17 @@
 // Objects of patches are taken apart and put together: where they are, what becomes of them, and what is
 // refused.
 
-#include "core/modeling/patch_objects.hpp"
+#include "core/modeling/objects/patch_objects.hpp"
 
 #include <gtest/gtest.h>
 
 #include <array>
 #include <cmath>
 
-#include "core/document/edits.hpp"
-#include "core/document/format.hpp"
-#include "core/modeling/attached.hpp"
-#include "core/modeling/modeled.hpp"
+#include "core/document/edits/edits.hpp"
+#include "core/document/format/format.hpp"
+#include "core/modeling/edit_result.hpp"
+#include "core/modeling/surfacing/object_surfacer.hpp"
 
 namespace hariko {
 namespace {

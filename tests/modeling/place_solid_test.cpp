@@ -1,4 +1,4 @@
-#include "core/modeling/place_solid.hpp"
+#include "core/modeling/objects/place_solid.hpp"
 
 #include <gtest/gtest.h>
 

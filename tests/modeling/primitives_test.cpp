@@ -1,6 +1,6 @@
 // The primitives: valid, outward, of the sizes asked for, symmetric, and refused for silly numbers.
 
-#include "core/modeling/primitives.hpp"
+#include "core/modeling/objects/primitives.hpp"
 
 #include <gtest/gtest.h>
 

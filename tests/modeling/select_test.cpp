@@ -4,9 +4,9 @@
 
 #include <algorithm>
 
-#include "core/modeling/select_convert.hpp"
-#include "core/modeling/select_region.hpp"
-#include "core/modeling/select_similar.hpp"
+#include "core/modeling/selection/select_convert.hpp"
+#include "core/modeling/selection/select_region.hpp"
+#include "core/modeling/selection/select_similar.hpp"
 #include "tests/modeling/support.hpp"
 #include "tests/support/random_polyhedra.hpp"
 #include "tests/support/random_shaping.hpp"

@@ -1,12 +1,12 @@
 // Tension for short new edges: narrow bands must not make curves loop.
 
-#include "core/modeling/short_edges.hpp"
+#include "core/modeling/operations/short_edges.hpp"
 
-#include "core/modeling/bevel_edges.hpp"
-#include "core/modeling/bevel_vertices.hpp"
-#include "core/modeling/extrude.hpp"
-#include "core/modeling/inset.hpp"
-#include "core/modeling/loop_cut.hpp"
+#include "core/modeling/cuts/loop_cut.hpp"
+#include "core/modeling/operations/bevel_edges.hpp"
+#include "core/modeling/operations/bevel_vertices.hpp"
+#include "core/modeling/operations/extrude.hpp"
+#include "core/modeling/operations/inset.hpp"
 #include "tests/modeling/support.hpp"
 
 namespace hariko {
@@ -49,13 +49,13 @@ TEST(ShortEdges, GivenTensionsAndOldEdgesAreLeftAlone) {
   Shaping shaping;
   shaping.beta.set(EdgeId::of({5}, {6}), 0.5);
   cube.shaping = shaping;
-  const Modeled out = extrude_faces(cube, std::vector<FaceId>{{1}}, {.distance = 0.1}).value();
+  const EditResult out = extrude_faces(cube, std::vector<FaceId>{{1}}, {.distance = 0.1}).value();
   EXPECT_EQ(edges_of_tension(out.source, 0.5), 2) << "old and new rim";
   EXPECT_NEAR(out.source.shaping->beta.get_or(EdgeId::of({4}, {8}), 1), 400, 1e-9) << "(2 / 0.1) squared";
   EXPECT_EQ(out.source.shaping->beta.size(), 2U + 4U);
-  const Modeled in_place = extrude_faces(cube, std::vector<FaceId>{{1}}).value();
+  const EditResult in_place = extrude_faces(cube, std::vector<FaceId>{{1}}).value();
   EXPECT_EQ(in_place.source.shaping->beta.size(), 2U) << "the drag that follows decides";
-  const Modeled wide = extrude_faces(cube, std::vector<FaceId>{{1}}, {.distance = 1}).value();
+  const EditResult wide = extrude_faces(cube, std::vector<FaceId>{{1}}, {.distance = 1}).value();
   EXPECT_EQ(wide.source.shaping->beta.size(), 2U);
 }
 

@@ -1,13 +1,13 @@
-#include "core/modeling/skin_polyhedron.hpp"
+#include "core/modeling/surfacing/skin_polyhedron.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cstdio>
 
-#include "core/base/file_io.hpp"
-#include "core/document/read_skin.hpp"
-#include "core/modeling/surface_input.hpp"
+#include "core/base/files/file_io.hpp"
+#include "core/document/format/read_skin.hpp"
+#include "core/modeling/surfacing/surface_input.hpp"
 #include "core/skinning/evaluate_skin.hpp"
 #include "tests/support/places.hpp"
 

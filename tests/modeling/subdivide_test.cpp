@@ -1,10 +1,10 @@
 // Subdividing edges and faces, poking faces.
 
-#include "core/modeling/subdivide.hpp"
+#include "core/modeling/cuts/subdivide.hpp"
 #include "core/geometry/polygon.hpp"
 
-#include "core/document/edit_elements.hpp"
-#include "core/modeling/face_geometry.hpp"
+#include "core/document/edits/edit_elements.hpp"
+#include "core/modeling/operations/face_geometry.hpp"
 #include "tests/modeling/support.hpp"
 
 namespace hariko {
@@ -20,7 +20,7 @@ EdgeId edge(std::uint32_t a, std::uint32_t b) {
 
 TEST(SubdivideEdges, EvenlySpaced) {
   const PolyhedronSource cube = source_of(test::cube());
-  const Modeled out = subdivide_edges(cube, Edges{edge(0, 1)}, 3).value();
+  const EditResult out = subdivide_edges(cube, Edges{edge(0, 1)}, 3).value();
   EXPECT_EQ(counts(out.source), "11/15/6");
   EXPECT_EQ(out.selection.vertices, (std::set<VertexId>{{8}, {9}, {10}}));
   for (std::uint32_t i = 0; i < 3; ++i)
@@ -35,7 +35,7 @@ TEST(SubdivideEdges, EvenlySpaced) {
 
 TEST(SubdivideEdges, TheBorderStaysSmooth) {
   PolyhedronSource sheet = source_of(test::grid(1, 1));
-  const Modeled out = subdivide_edges(sheet, all_edges(sheet), 1).value();
+  const EditResult out = subdivide_edges(sheet, all_edges(sheet), 1).value();
   for (const VertexId v : out.selection.vertices)
     EXPECT_EQ(out.source.shaping->tag.get_or(v, VertexTag::automatic), VertexTag::smooth);
   EXPECT_EQ(out.source.shaping->tag.size(), 4U);
@@ -44,12 +44,12 @@ TEST(SubdivideEdges, TheBorderStaysSmooth) {
 
 TEST(SubdivideFaces, Cube) {
   const PolyhedronSource cube = source_of(test::cube());
-  const Modeled all = subdivide_faces(cube, all_faces(cube)).value();
+  const EditResult all = subdivide_faces(cube, all_faces(cube)).value();
   EXPECT_EQ(counts(all.source), "26/48/24");
   EXPECT_EQ(all.selection.faces.size(), 24U);
   expect_planar(all.source, 1e-15);
   for (Index f = 0; f < 24; ++f) EXPECT_NEAR(area_of(all.source.polyhedron, f), 1, 1e-15);
-  const Modeled one = subdivide_faces(cube, Faces{{1}}).value();
+  const EditResult one = subdivide_faces(cube, Faces{{1}}).value();
   EXPECT_EQ(counts(one.source), "13/20/9");
   EXPECT_EQ(one.selection.faces.size(), 4U);
   expect_surface(one.source);
@@ -59,7 +59,7 @@ TEST(SubdivideFaces, Cube) {
 
 TEST(PokeFaces, Cube) {
   const PolyhedronSource cube = source_of(test::cube());
-  const Modeled out = poke_faces(cube, all_faces(cube)).value();
+  const EditResult out = poke_faces(cube, all_faces(cube)).value();
   EXPECT_EQ(counts(out.source), "14/36/24");
   EXPECT_EQ(out.selection.vertices.size(), 6U);
   for (Index f = 0; f < 24; ++f) EXPECT_NEAR(area_of(out.source.polyhedron, f), 1, 1e-15);

@@ -12,8 +12,8 @@
 
 #include "core/document/source.hpp"
 #include "core/geometry/polygon.hpp"
-#include "core/modeling/face_geometry.hpp"
-#include "core/modeling/surface_input.hpp"
+#include "core/modeling/operations/face_geometry.hpp"
+#include "core/modeling/surfacing/surface_input.hpp"
 #include "core/polyhedron/volume.hpp"
 #include "tests/support/random.hpp"
 #include "tests/support/random_polyhedra.hpp"
@@ -134,7 +134,7 @@ inline int edges_of_tension(const PolyhedronSource& source, double beta) {
 
 /// What holds of every result: a refusal explains itself; otherwise selection and shaping name elements that
 /// exist, nothing lies loose, and the object's other settings are untouched.
-inline void expect_whole(const PolyhedronSource& before, const Result<Modeled>& result) {
+inline void expect_whole(const PolyhedronSource& before, const Result<EditResult>& result) {
   if (!result) {
     EXPECT_TRUE(result.error().code.name.starts_with("E_")) << to_string(result.error());
     EXPECT_FALSE(result.error().text.empty());
@@ -159,7 +159,7 @@ inline void expect_whole(const PolyhedronSource& before, const Result<Modeled>& 
 }
 
 /// expect_whole, and the Euler number is the one before.
-inline void expect_same_euler(const PolyhedronSource& before, const Result<Modeled>& result) {
+inline void expect_same_euler(const PolyhedronSource& before, const Result<EditResult>& result) {
   expect_whole(before, result);
   if (result) {
     EXPECT_EQ(euler(result->source), euler(before));

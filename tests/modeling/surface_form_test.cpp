@@ -1,6 +1,6 @@
 // Refinements that keep the form of the surface.
 
-#include "core/modeling/surface_form.hpp"
+#include "core/modeling/surfacing/surface_form.hpp"
 #include "core/geometry/triangle_tree.hpp"
 
 #include <Eigen/Geometry>
@@ -8,19 +8,19 @@
 #include <set>
 
 #include "core/analysis/measures.hpp"
-#include "core/document/edit_elements.hpp"
-#include "core/document/edit_objects.hpp"
-#include "core/document/format.hpp"
-#include "core/modeling/cut.hpp"
-#include "core/modeling/dissolve.hpp"
-#include "core/modeling/edge_paths.hpp"
-#include "core/modeling/flip.hpp"
-#include "core/modeling/halve.hpp"
-#include "core/modeling/join.hpp"
-#include "core/modeling/loop_cut.hpp"
-#include "core/modeling/mirrored.hpp"
-#include "core/modeling/primitives.hpp"
-#include "core/modeling/subdivide.hpp"
+#include "core/document/edits/edit_elements.hpp"
+#include "core/document/edits/edit_objects.hpp"
+#include "core/document/format/format.hpp"
+#include "core/modeling/cuts/bisect.hpp"
+#include "core/modeling/cuts/cut.hpp"
+#include "core/modeling/cuts/loop_cut.hpp"
+#include "core/modeling/cuts/subdivide.hpp"
+#include "core/modeling/objects/primitives.hpp"
+#include "core/modeling/operations/dissolve.hpp"
+#include "core/modeling/operations/flip.hpp"
+#include "core/modeling/operations/join.hpp"
+#include "core/modeling/selection/edge_paths.hpp"
+#include "core/modeling/surfacing/mirrored.hpp"
 #include "tests/modeling/support.hpp"
 #include "tests/support/golden.hpp"
 
@@ -241,7 +241,7 @@ TEST(SurfaceForm, JoinedObjectsKeepTheirForms) {
 TEST(SurfaceForm, FormsGoWhereTheEdgesChange) {
   const PolyhedronSource source = box();
   const SurfaceForm form = SurfaceForm::of(source).value();
-  const Modeled cut = loop_cut(source, source.polyhedron.edge_id(0), {.slide = -0.4}, &form).value();
+  const EditResult cut = loop_cut(source, source.polyhedron.edge_id(0), {.slide = -0.4}, &form).value();
   const std::vector<EdgeId> loop(cut.selection.edges.begin(), cut.selection.edges.end());
   const PolyhedronSource again = dissolve_edges(cut.source, loop)->source;
   for (const auto& [id, kept] : again.shaping->form)

@@ -1,6 +1,6 @@
 // Solids under transformations: their points move with the space round them.
 
-#include "core/modeling/transform_solid.hpp"
+#include "core/modeling/objects/transform_solid.hpp"
 
 #include <gtest/gtest.h>
 

@@ -7,9 +7,9 @@
 #include "core/analysis/continuity.hpp"
 #include "core/analysis/measures.hpp"
 #include "core/network/network_system.hpp"
-#include "core/patching/fair_elements.hpp"
+#include "core/patching/fair/fair_elements.hpp"
 #include "core/patching/patch_network.hpp"
-#include "core/patching/quartic_patch.hpp"
+#include "core/patching/quartic/quartic_patch.hpp"
 #include "tests/support/golden.hpp"
 
 namespace hariko::test {

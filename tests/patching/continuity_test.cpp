@@ -7,8 +7,8 @@
 
 #include "core/analysis/measures.hpp"
 #include "core/network/network_system.hpp"
-#include "core/patching/patch_constants.hpp"
-#include "core/patching/quartic_patch.hpp"
+#include "core/patching/quartic/patch_constants.hpp"
+#include "core/patching/quartic/quartic_patch.hpp"
 #include "tests/support/golden.hpp"
 #include "tests/support/random.hpp"
 #include "tests/support/random_polyhedra.hpp"

@@ -4,7 +4,7 @@
 #include <Eigen/Geometry>
 #include <set>
 
-#include "core/patching/quartic_patch.hpp"
+#include "core/patching/quartic/quartic_patch.hpp"
 #include "tests/support/golden.hpp"
 #include "tests/support/random.hpp"
 #include "tests/support/random_polyhedra.hpp"

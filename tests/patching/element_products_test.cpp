@@ -1,4 +1,4 @@
-#include "core/patching/element_products.hpp"
+#include "core/patching/fair/element_products.hpp"
 
 #include <gtest/gtest.h>
 

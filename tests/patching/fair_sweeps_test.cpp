@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "core/base/parallel.hpp"
-#include "core/patching/drag_region.hpp"
-#include "core/patching/fair_system.hpp"
+#include "core/patching/fair/fair_system.hpp"
+#include "core/patching/fair/influence_region.hpp"
 #include "tests/support/random.hpp"
 #include "tests/support/random_polyhedra.hpp"
 #include "tests/support/random_shaping.hpp"
@@ -40,7 +40,7 @@ class Forced {
   /// Forces less the matrix times the solution, where z is free between active faces and inside of them.
   double residual(const FairSystem::Field& solution, const std::vector<bool>& active) const {
     FairSystem::Field left = system_.multiply(solution);
-    for (const RimBend& force : forces_) {
+    for (const BoundaryCurvatureLoad& force : forces_) {
       left[numbering_.side_origin[force.half_edge]] -= force.at_origin;
       left[numbering_.side_target[force.half_edge]] -= force.at_target;
     }
@@ -66,7 +66,7 @@ class Forced {
   FairSystem system_;
   FairNumbering numbering_;
   std::vector<QuarticPatch> base_;
-  std::vector<RimBend> forces_;
+  std::vector<BoundaryCurvatureLoad> forces_;
 };
 
 TEST(FairSweeps, SolveToTheLastDigits) {

@@ -1,7 +1,7 @@
 // The system of mode FAIR: symmetric, positive definite, and its solution the minimum of the energy measured
 // patch by patch.
 
-#include "core/patching/fair_system.hpp"
+#include "core/patching/fair/fair_system.hpp"
 
 #include <numeric>
 

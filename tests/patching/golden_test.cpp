@@ -2,7 +2,7 @@
 
 #include "tests/support/golden.hpp"
 
-#include "core/patching/quartic_patch.hpp"
+#include "core/patching/quartic/quartic_patch.hpp"
 
 namespace hariko::test {
 namespace {

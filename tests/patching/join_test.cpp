@@ -1,11 +1,11 @@
 // Border edges that take the sides of bicubic patches (kuriyama.md section 8).
 
-#include "core/patching/join_plan.hpp"
+#include "core/patching/joins/join_plan.hpp"
 
 #include <gtest/gtest.h>
 
 #include "core/analysis/continuity.hpp"
-#include "core/patching/adapted_net.hpp"
+#include "core/patching/cross_boundary_fit.hpp"
 #include "tests/patching/g2_support.hpp"
 #include "tests/support/random_joins.hpp"
 

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "core/base/file_io.hpp"
+#include "core/base/files/file_io.hpp"
 #include "render/legend.hpp"
 #include "tests/support/random.hpp"
 #include "tests/support/temporary_folder.hpp"

@@ -6,7 +6,7 @@
 
 #include <array>
 
-#include "core/base/file_io.hpp"
+#include "core/base/files/file_io.hpp"
 #include "core/document/picture_source.hpp"
 #include "render/scene_picture.hpp"
 #include "tests/support/places.hpp"

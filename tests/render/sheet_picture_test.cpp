@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/unfolding/write_sheets.hpp"
+#include "core/unfolding/pages/write_sheets.hpp"
 #include "render/text_painter.hpp"
 
 namespace hariko {

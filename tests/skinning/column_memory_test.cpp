@@ -1,10 +1,10 @@
-#include "core/skinning/column_memory.hpp"
+#include "core/skinning/columns/column_cache.hpp"
 
 #include <gtest/gtest.h>
 
-#include "core/skinning/column_parameters.hpp"
+#include "core/skinning/columns/column_parameters.hpp"
+#include "core/skinning/columns/simple_skin.hpp"
 #include "core/skinning/evaluate_skin.hpp"
-#include "core/skinning/simple_skin.hpp"
 #include "tests/support/random.hpp"
 
 namespace hariko {
@@ -20,14 +20,14 @@ SubdivisionCurve random_curve(std::mt19937_64& rng, bool closed) {
   return curve;
 }
 
-TEST(ColumnMemory, RemembersWhatItFoundAndNothingElse) {
+TEST(ColumnCache, RemembersWhatItFoundAndNothingElse) {
   for_random(911, 4, [](std::mt19937_64& rng) {
     const bool closed = chance(rng, 0.5);
-    std::vector<ColumnMemory::Search> searches{{3, {random_curve(rng, closed)}},
-                                               {8, {random_curve(rng, closed), random_curve(rng, closed)}}};
+    std::vector<ColumnCache::Search> searches{{3, {random_curve(rng, closed)}},
+                                              {8, {random_curve(rng, closed), random_curve(rng, closed)}}};
     SkinWork work;
     work.progress = Progress::make();
-    ColumnMemory memory;
+    ColumnCache memory;
     const auto found = memory.parameters(searches, 6, work);
     EXPECT_EQ(work.progress.fraction(), 1);
     for (std::size_t i = 0; i < 2; ++i)
@@ -51,7 +51,7 @@ TEST(ColumnMemory, RemembersWhatItFoundAndNothingElse) {
   });
 }
 
-TEST(ColumnMemory, ADragKeepsColumnsUntilItRests) {
+TEST(ColumnCache, ADragKeepsColumnsUntilItRests) {
   Skin skin = arched_skin(6, 4, 1, 7);
   skin.method = SkinMethod::smooth;
   for (const ColumnParameters parameters : {ColumnParameters::per_section, ColumnParameters::shared}) {

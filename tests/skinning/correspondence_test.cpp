@@ -1,4 +1,4 @@
-#include "core/skinning/correspondence.hpp"
+#include "core/skinning/columns/correspondence.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
-#include "core/skinning/edit_correspondence.hpp"
+#include "core/skinning/edit/edit_correspondence.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
+#include "core/skinning/columns/skin_plan.hpp"
 #include "core/skinning/skin_messages.hpp"
-#include "core/skinning/skin_plan.hpp"
 #include "tests/skinning/skin_inputs.hpp"
 #include "tests/support/random.hpp"
 

@@ -1,4 +1,4 @@
-#include "core/skinning/edit_path.hpp"
+#include "core/skinning/edit/edit_path.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,10 +7,10 @@
 #include <array>
 #include <cmath>
 
-#include "core/skinning/add_section.hpp"
+#include "core/skinning/columns/smooth.hpp"
+#include "core/skinning/edit/add_section.hpp"
 #include "core/skinning/evaluate_skin.hpp"
 #include "core/skinning/skin_messages.hpp"
-#include "core/skinning/smooth.hpp"
 #include "tests/skinning/random_skins.hpp"
 #include "tests/skinning/skin_inputs.hpp"
 

@@ -1,4 +1,4 @@
-#include "core/skinning/edit_section.hpp"
+#include "core/skinning/edit/edit_section.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "core/skinning/freehand_curve.hpp"
+#include "core/skinning/edit/freehand_curve.hpp"
 
 #include <gtest/gtest.h>
 

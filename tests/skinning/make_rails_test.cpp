@@ -1,11 +1,11 @@
-#include "core/skinning/make_rails.hpp"
+#include "core/skinning/sections/make_rails.hpp"
 
 #include <gtest/gtest.h>
 
 #include <string>
 
+#include "core/skinning/columns/simple_skin.hpp"
 #include "core/skinning/evaluate_skin.hpp"
-#include "core/skinning/simple_skin.hpp"
 #include "core/skinning/skin_messages.hpp"
 #include "tests/skinning/skin_inputs.hpp"
 

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/skinning/edit_correspondence.hpp"
-#include "core/skinning/skin_plan.hpp"
+#include "core/skinning/columns/skin_plan.hpp"
+#include "core/skinning/edit/edit_correspondence.hpp"
 #include "tests/support/random.hpp"
 
 namespace hariko::test {

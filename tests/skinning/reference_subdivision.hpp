@@ -8,7 +8,7 @@
 #include <map>
 #include <vector>
 
-#include "core/skinning/control_mesh.hpp"
+#include "core/subdivision/control_mesh.hpp"
 
 namespace hariko::test {
 

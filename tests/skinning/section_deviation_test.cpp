@@ -1,4 +1,4 @@
-#include "core/skinning/section_deviation.hpp"
+#include "core/skinning/sections/section_deviation.hpp"
 
 #include <gtest/gtest.h>
 

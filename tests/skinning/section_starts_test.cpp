@@ -1,6 +1,6 @@
 // Starts of closed sections.
 
-#include "core/skinning/section_starts.hpp"
+#include "core/skinning/sections/section_starts.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,13 +8,13 @@
 #include <numbers>
 
 #include "core/analysis/measures.hpp"
-#include "core/skinning/add_section.hpp"
-#include "core/skinning/edit_correspondence.hpp"
-#include "core/skinning/edit_section.hpp"
+#include "core/skinning/columns/knot_shift.hpp"
+#include "core/skinning/columns/smooth.hpp"
+#include "core/skinning/edit/add_section.hpp"
+#include "core/skinning/edit/edit_correspondence.hpp"
+#include "core/skinning/edit/edit_section.hpp"
 #include "core/skinning/evaluate_skin.hpp"
-#include "core/skinning/knot_shift.hpp"
-#include "core/skinning/section_direction.hpp"
-#include "core/skinning/smooth.hpp"
+#include "core/skinning/sections/section_direction.hpp"
 #include "tests/support/random.hpp"
 
 namespace hariko {

@@ -1,6 +1,6 @@
 // Ends of tubes.
 
-#include "core/skinning/skin_caps.hpp"
+#include "core/skinning/columns/skin_caps.hpp"
 
 #include <gtest/gtest.h>
 

@@ -6,8 +6,8 @@
 #include <nlohmann/json.hpp>
 
 #include "core/skinning/evaluate_skin.hpp"
-#include "core/skinning/mesh_report.hpp"
-#include "core/skinning/regular_faces.hpp"
+#include "core/subdivision/mesh_report.hpp"
+#include "core/subdivision/regular_faces.hpp"
 #include "tests/skinning/skin_inputs.hpp"
 
 namespace hariko {

@@ -6,8 +6,8 @@
 
 #include <string>
 
-#include "core/base/file_io.hpp"
-#include "core/document/read_skin.hpp"
+#include "core/base/files/file_io.hpp"
+#include "core/document/format/read_skin.hpp"
 #include "tests/support/places.hpp"
 
 namespace hariko::test {

@@ -1,4 +1,4 @@
-#include "core/skinning/skin_places.hpp"
+#include "core/skinning/sections/skin_places.hpp"
 
 #include <gtest/gtest.h>
 

@@ -6,10 +6,10 @@
 #include <map>
 #include <numbers>
 
-#include "core/skinning/column_parameters.hpp"
+#include "core/skinning/columns/column_parameters.hpp"
+#include "core/skinning/columns/smooth.hpp"
 #include "core/skinning/evaluate_skin.hpp"
-#include "core/skinning/regular_faces.hpp"
-#include "core/skinning/smooth.hpp"
+#include "core/subdivision/regular_faces.hpp"
 #include "tests/skinning/skin_inputs.hpp"
 #include "tests/support/random.hpp"
 

@@ -1,4 +1,4 @@
-#include "core/skinning/stroke.hpp"
+#include "core/skinning/edit/stroke.hpp"
 #include "core/geometry/polygon.hpp"
 
 #include <gtest/gtest.h>

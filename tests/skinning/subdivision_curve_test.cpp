@@ -1,4 +1,4 @@
-#include "core/skinning/subdivision_curve.hpp"
+#include "core/subdivision/subdivision_curve.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "core/skinning/subdivision_surface.hpp"
+#include "core/subdivision/subdivision_surface.hpp"
 
 #include <gtest/gtest.h>
 

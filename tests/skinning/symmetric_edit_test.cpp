@@ -1,11 +1,11 @@
-#include "core/skinning/symmetric_edit.hpp"
+#include "core/skinning/edit/symmetric_edit.hpp"
 
 #include <gtest/gtest.h>
 
 #include <numbers>
 #include <set>
 
-#include "core/skinning/simple_skin.hpp"
+#include "core/skinning/columns/simple_skin.hpp"
 #include "core/skinning/skin_messages.hpp"
 #include "tests/skinning/skin_inputs.hpp"
 #include "tests/support/random.hpp"

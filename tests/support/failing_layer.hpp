@@ -6,7 +6,7 @@
 #include <cerrno>
 #include <string>
 
-#include "core/base/file_io.hpp"
+#include "core/base/files/file_io.hpp"
 
 namespace hariko::test {
 

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <vector>
 
-#include "core/patching/join_plan.hpp"
+#include "core/patching/joins/join_plan.hpp"
 #include "core/patching/polyhedron_surface.hpp"
 #include "core/surface/bicubic_patch.hpp"
 #include "tests/support/random_polyhedra.hpp"

@@ -1,6 +1,6 @@
 // The overlap test: against exact arithmetic of another kind, and where doubles alone would not tell.
 
-#include "core/unfolding/convex_overlap.hpp"
+#include "core/unfolding/cuts/convex_overlap.hpp"
 
 #include <numbers>
 

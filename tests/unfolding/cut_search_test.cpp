@@ -1,14 +1,14 @@
 // The search for cuts: no overlaps, and no more pieces than allowed below.
 
-#include "core/unfolding/cut_search.hpp"
+#include "core/unfolding/cuts/cut_search.hpp"
 
 #include <chrono>
 #include <thread>
 
 #include "core/base/cancellation.hpp"
 #include "core/base/parallel.hpp"
-#include "core/unfolding/reference_method.hpp"
-#include "core/unfolding/sheet_overlaps.hpp"
+#include "core/unfolding/cuts/reference_method.hpp"
+#include "core/unfolding/pages/sheet_overlaps.hpp"
 #include "tests/unfolding/check_layout.hpp"
 #include "tests/unfolding/meshes.hpp"
 

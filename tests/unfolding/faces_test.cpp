@@ -9,7 +9,7 @@
 #include "core/unfolding/cut_large_faces.hpp"
 #include "core/unfolding/face_triangles.hpp"
 #include "core/unfolding/join_corners.hpp"
-#include "core/unfolding/sheet_drawing.hpp"
+#include "core/unfolding/pages/sheet_drawing.hpp"
 #include "tests/support/random.hpp"
 #include "tests/unfolding/paper.hpp"
 

@@ -7,7 +7,7 @@
 
 #include "core/base/ids.hpp"
 #include "core/polyhedron/validation.hpp"
-#include "core/unfolding/facet_layout.hpp"
+#include "core/unfolding/cuts/facet_layout.hpp"
 #include "tests/unfolding/check_layout.hpp"
 #include "tests/unfolding/meshes.hpp"
 

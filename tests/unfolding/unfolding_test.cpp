@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "core/unfolding/edit_unfolding.hpp"
-#include "core/unfolding/sheet_drawing.hpp"
+#include "core/unfolding/pages/sheet_drawing.hpp"
 
 #include "tests/unfolding/paper.hpp"
 

@@ -1,8 +1,8 @@
 // What files say: layout, layers, words; and that other programs draw the page as we describe it.
 
-#include "core/unfolding/write_sheets.hpp"
-#include "core/unfolding/convex_overlap.hpp"
-#include "core/unfolding/label_places.hpp"
+#include "core/unfolding/pages/write_sheets.hpp"
+#include "core/unfolding/cuts/convex_overlap.hpp"
+#include "core/unfolding/pages/label_places.hpp"
 
 #include <cstdlib>
 #include <filesystem>
@@ -12,7 +12,7 @@
 #include <set>
 #include <sstream>
 
-#include "core/base/file_io.hpp"
+#include "core/base/files/file_io.hpp"
 #include "tests/unfolding/paper.hpp"
 
 namespace hariko::test {

@@ -4,7 +4,7 @@
 
 #include <set>
 
-#include "core/document/edits.hpp"
+#include "core/document/edits/edits.hpp"
 #include "core/document/file.hpp"
 #include "tests/support/places.hpp"
 #include "tests/support/random_polyhedra.hpp"

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/document/edits.hpp"
+#include "core/document/edits/edits.hpp"
 #include "tests/support/random_polyhedra.hpp"
 #include "tests/workbench/headless_workbench.hpp"
 

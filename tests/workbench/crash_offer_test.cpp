@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "app/crash_offers.hpp"
-#include "core/document/edits.hpp"
+#include "core/document/edits/edits.hpp"
 #include "tests/support/random_polyhedra.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tests/workbench/headless_workbench.hpp"

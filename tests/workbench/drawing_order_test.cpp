@@ -8,8 +8,8 @@
 #include <thread>
 
 #include "app/jobs/drawing_export.hpp"
-#include "core/base/file_io.hpp"
-#include "core/document/edits.hpp"
+#include "core/base/files/file_io.hpp"
+#include "core/document/edits/edits.hpp"
 #include "render/picture.hpp"
 #include "tests/support/random_polyhedra.hpp"
 #include "tests/support/temporary_folder.hpp"

@@ -11,9 +11,9 @@
 
 #include "app/pictures/file_pictures.hpp"
 #include "core/cad/kernel/cad_file.hpp"
-#include "core/document/edits.hpp"
+#include "core/document/edits/edits.hpp"
 #include "core/document/file.hpp"
-#include "core/modeling/primitives.hpp"
+#include "core/modeling/objects/primitives.hpp"
 #include "tests/support/places.hpp"
 #include "tests/support/random_polyhedra.hpp"
 #include "tests/workbench/headless_workbench.hpp"

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/cad/kernel/cad_file.hpp"
-#include "core/document/edits.hpp"
+#include "core/document/edits/edits.hpp"
 #include "tests/support/random_polyhedra.hpp"
 #include "tests/workbench/headless_workbench.hpp"
 

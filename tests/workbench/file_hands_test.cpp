@@ -8,8 +8,8 @@
 
 #include "app/files/prepare_meshes.hpp"
 #include "core/exchange/mesh_file.hpp"
-#include "core/modeling/primitives.hpp"
-#include "core/modeling/sharp_edges.hpp"
+#include "core/modeling/objects/primitives.hpp"
+#include "core/modeling/operations/sharp_edges.hpp"
 #include "tests/support/random_polyhedra.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tests/workbench/headless_workbench.hpp"

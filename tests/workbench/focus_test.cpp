@@ -8,7 +8,7 @@
 #include <set>
 
 #include "app/pictures/samples.hpp"
-#include "core/document/edits.hpp"
+#include "core/document/edits/edits.hpp"
 #include "tests/support/places.hpp"
 #include "tests/support/random_polyhedra.hpp"
 #include "tests/support/temporary_folder.hpp"

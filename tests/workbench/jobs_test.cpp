@@ -6,7 +6,7 @@
 
 #include "core/cad/kernel/cad_file.hpp"
 #include "core/document/object_box.hpp"
-#include "core/skinning/edit_section.hpp"
+#include "core/skinning/edit/edit_section.hpp"
 #include "tests/workbench/program_hands.hpp"
 #include "ui/view/transform_target.hpp"
 

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <imgui_internal.h>
 
-#include "core/document/edits.hpp"
+#include "core/document/edits/edits.hpp"
 #include "tests/support/random_polyhedra.hpp"
 #include "tests/workbench/headless_workbench.hpp"
 #include "ui/editor/command_search.hpp"

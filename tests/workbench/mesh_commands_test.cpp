@@ -5,7 +5,7 @@
 #include <map>
 #include <set>
 
-#include "core/document/edits.hpp"
+#include "core/document/edits/edits.hpp"
 #include "tests/support/random_polyhedra.hpp"
 #include "tests/workbench/headless_workbench.hpp"
 #include "ui/editor/menu_tree.hpp"

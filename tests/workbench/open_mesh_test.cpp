@@ -7,8 +7,8 @@
 #include <sstream>
 
 #include "core/exchange/mesh_file.hpp"
-#include "core/modeling/primitives.hpp"
-#include "core/modeling/sharp_edges.hpp"
+#include "core/modeling/objects/primitives.hpp"
+#include "core/modeling/operations/sharp_edges.hpp"
 #include "tests/workbench/session_rig.hpp"
 
 namespace hariko {

@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 #include <imgui_internal.h>
 
-#include "core/document/edit_solids.hpp"
-#include "core/document/edits.hpp"
+#include "core/document/edits/edit_solids.hpp"
+#include "core/document/edits/edits.hpp"
 #include "core/document/object_box.hpp"
 #include "core/envelope/ball/tightness.hpp"
 #include "tests/support/random_polyhedra.hpp"

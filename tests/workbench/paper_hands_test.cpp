@@ -6,8 +6,8 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "core/document/edits.hpp"
-#include "core/modeling/primitives.hpp"
+#include "core/document/edits/edits.hpp"
+#include "core/modeling/objects/primitives.hpp"
 #include "core/unfolding/edit_unfolding.hpp"
 #include "tests/workbench/headless_workbench.hpp"
 #include "ui/editor/object_size.hpp"

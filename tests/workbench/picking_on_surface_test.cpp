@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/document/edits.hpp"
+#include "core/document/edits/edits.hpp"
 #include "core/document/file.hpp"
 #include "tests/support/places.hpp"
 #include "tests/support/random_polyhedra.hpp"

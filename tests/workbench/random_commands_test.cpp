@@ -5,9 +5,9 @@
 #include <array>
 #include <map>
 
-#include "core/document/edits.hpp"
+#include "core/document/edits/edits.hpp"
 #include "core/document/file.hpp"
-#include "core/document/format.hpp"
+#include "core/document/format/format.hpp"
 #include "tests/support/places.hpp"
 #include "tests/support/random.hpp"
 #include "tests/support/random_polyhedra.hpp"

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/document/edits.hpp"
+#include "core/document/edits/edits.hpp"
 #include "render/picking.hpp"
 #include "render/shown_edges.hpp"
 #include "tests/workbench/headless_workbench.hpp"

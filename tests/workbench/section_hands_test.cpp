@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/document/edit_skin.hpp"
-#include "core/skinning/edit_section.hpp"
-#include "core/skinning/section_frame.hpp"
-#include "core/skinning/simple_skin.hpp"
+#include "core/document/edits/edit_skin.hpp"
+#include "core/skinning/columns/simple_skin.hpp"
+#include "core/skinning/edit/edit_section.hpp"
+#include "core/skinning/sections/section_frame.hpp"
 #include "tests/workbench/headless_workbench.hpp"
 
 namespace hariko {

@@ -12,7 +12,7 @@
 #include <thread>
 #include <vector>
 
-#include "core/document/edits.hpp"
+#include "core/document/edits/edits.hpp"
 #include "core/document/file.hpp"
 #include "tests/support/random_polyhedra.hpp"
 #include "tests/support/temporary_folder.hpp"

@@ -14,7 +14,7 @@
 #include "core/document/object_box.hpp"
 #include "core/envelope/envelope.hpp"
 #include "core/exchange/mesh_file.hpp"
-#include "core/modeling/primitives.hpp"
+#include "core/modeling/objects/primitives.hpp"
 #include "tests/workbench/program_hands.hpp"
 
 namespace hariko {

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/document/edits.hpp"
+#include "core/document/edits/edits.hpp"
 #include "ui/editor/command_host.hpp"
 
 namespace hariko {

@@ -8,7 +8,7 @@
 #include <functional>
 #include <iterator>
 
-#include "core/document/edits.hpp"
+#include "core/document/edits/edits.hpp"
 #include "ui/widgets/choice.hpp"
 #include "ui/widgets/tips.hpp"
 #include "ui/widgets/value_fields.hpp"

@@ -6,7 +6,7 @@
 #include <fstream>
 #include <system_error>
 
-#include "core/base/natural_order.hpp"
+#include "core/base/text/natural_order.hpp"
 
 namespace hariko {
 

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/base/expression.hpp"
+#include "core/base/text/expression.hpp"
 #include "core/document/document.hpp"
 
 namespace hariko {

@@ -2,7 +2,7 @@
 
 // Shapes to begin a section with.
 
-#include "core/skinning/subdivision_curve.hpp"
+#include "core/subdivision/subdivision_curve.hpp"
 
 namespace hariko {
 

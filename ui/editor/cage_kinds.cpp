@@ -1,8 +1,8 @@
 // The kinds of objects with a cage: polyhedra, and patches with their control net.
 
-#include "core/document/edit_attachments.hpp"
-#include "core/modeling/select_convert.hpp"
-#include "core/modeling/select_region.hpp"
+#include "core/document/edits/edit_attachments.hpp"
+#include "core/modeling/selection/select_convert.hpp"
+#include "core/modeling/selection/select_region.hpp"
 #include "ui/editor/object_kind.hpp"
 
 namespace hariko {

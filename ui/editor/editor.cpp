@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/document/edit_solids.hpp"
+#include "core/document/edits/edit_solids.hpp"
 #include "ui/base/fonts.hpp"
 #include "ui/editor/outlines.hpp"
 #include "ui/editor/skin_view.hpp"

@@ -12,10 +12,10 @@
 #include <string>
 #include <string_view>
 
-#include "core/document/edits.hpp"
-#include "core/document/history.hpp"
+#include "core/document/edits/edits.hpp"
+#include "core/document/history/history.hpp"
 #include "core/document/object_box.hpp"
-#include "core/exchange/mesh_import.hpp"
+#include "core/exchange/repair/mesh_import.hpp"
 #include "render/scene.hpp"
 #include "ui/base/frame_times.hpp"
 #include "ui/base/job.hpp"

@@ -1,6 +1,6 @@
 #include "ui/editor/gauss_view.hpp"
 
-#include "core/gaussmap/gauss_sphere.hpp"
+#include "core/gaussmap/sphere/gauss_sphere.hpp"
 
 namespace hariko {
 

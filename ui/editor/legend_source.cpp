@@ -1,6 +1,6 @@
 #include "ui/editor/legend_source.hpp"
 
-#include "core/document/edits.hpp"
+#include "core/document/edits/edits.hpp"
 
 namespace hariko {
 

@@ -2,7 +2,7 @@
 
 // What commands that make objects share.
 
-#include "core/document/edits.hpp"
+#include "core/document/edits/edits.hpp"
 #include "ui/editor/editor.hpp"
 
 namespace hariko {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "core/base/expression.hpp"
+#include "core/base/text/expression.hpp"
 #include "ui/editor/command_table.hpp"
 
 namespace hariko {

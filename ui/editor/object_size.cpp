@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "core/document/object_box.hpp"
-#include "core/modeling/attached.hpp"
-#include "core/modeling/transformation.hpp"
+#include "core/modeling/objects/transformation.hpp"
+#include "core/modeling/surfacing/object_surfacer.hpp"
 
 namespace hariko {
 

@@ -1,7 +1,7 @@
 #include "ui/editor/operations.hpp"
 
-#include "core/document/edits.hpp"
-#include "core/modeling/select_convert.hpp"
+#include "core/document/edits/edits.hpp"
+#include "core/modeling/selection/select_convert.hpp"
 
 namespace hariko {
 

@@ -5,13 +5,13 @@
 #include <functional>
 #include <string>
 
-#include "core/modeling/edit_modeling.hpp"
-#include "core/modeling/surface_form.hpp"
+#include "core/modeling/objects/edit_modeling.hpp"
+#include "core/modeling/surfacing/surface_form.hpp"
 #include "ui/editor/editor.hpp"
 
 namespace hariko {
 
-using Operation = std::function<Result<Modeled>(const PolyhedronSource&)>;
+using Operation = std::function<Result<EditResult>(const PolyhedronSource&)>;
 
 /// Selects what an operation left: its elements of the kind that the mode selects, else the elements of that
 /// kind that they are made of or touch. Where there are none the mode changes to what there is.
@@ -25,7 +25,7 @@ bool run_operation(Editor& editor, const Operation& operation, const std::string
 std::optional<SurfaceForm> form_for_refinement(const Editor& editor, const PolyhedronSource& source);
 
 /// `run_operation` for refinements, which get the form that they keep, if any.
-using Refinement = std::function<Result<Modeled>(const PolyhedronSource&, const SurfaceForm*)>;
+using Refinement = std::function<Result<EditResult>(const PolyhedronSource&, const SurfaceForm*)>;
 bool run_refinement(Editor& editor, const Refinement& refinement, const std::string& label);
 
 /// Says so if something that is selected is locked.

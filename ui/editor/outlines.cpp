@@ -1,6 +1,6 @@
 #include "ui/editor/outlines.hpp"
 
-#include "core/gaussmap/spread_normals.hpp"
+#include "core/gaussmap/outlines/interpolate_normals.hpp"
 
 namespace hariko {
 

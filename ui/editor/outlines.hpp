@@ -7,8 +7,8 @@
 #include <set>
 #include <string>
 
-#include "core/document/edit_outlines.hpp"
-#include "core/gaussmap/edit_outline.hpp"
+#include "core/document/edits/edit_outlines.hpp"
+#include "core/gaussmap/outlines/edit_outline.hpp"
 #include "ui/editor/editor.hpp"
 
 namespace hariko {

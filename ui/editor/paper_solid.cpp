@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "core/surface/facets.hpp"
-#include "core/unfolding/write_sheets.hpp"
+#include "core/unfolding/pages/write_sheets.hpp"
 
 namespace hariko {
 

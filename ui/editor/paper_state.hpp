@@ -11,7 +11,7 @@
 
 #include "core/document/document.hpp"
 #include "core/polyhedron/polygon_mesh.hpp"
-#include "core/unfolding/sheet_drawing.hpp"
+#include "core/unfolding/pages/sheet_drawing.hpp"
 #include "core/unfolding/unfolding.hpp"
 #include "render/camera.hpp"
 #include "ui/base/language.hpp"

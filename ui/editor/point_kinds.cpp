@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "core/gaussmap/edit_outline.hpp"
+#include "core/gaussmap/outlines/edit_outline.hpp"
 #include "ui/base/language.hpp"
 #include "ui/editor/object_kind.hpp"
 #include "ui/editor/object_lines.hpp"

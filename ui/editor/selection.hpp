@@ -10,8 +10,8 @@
 
 #include "core/base/ids.hpp"
 #include "core/document/document.hpp"
-#include "core/modeling/element_set.hpp"
-#include "core/modeling/select_region.hpp"
+#include "core/modeling/selection/element_set.hpp"
+#include "core/modeling/selection/select_region.hpp"
 #include "render/display_polyhedron.hpp"
 
 namespace hariko {

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
-#include "core/document/edit_skin.hpp"
-#include "core/skinning/edit_path.hpp"
-#include "core/skinning/edit_section.hpp"
-#include "core/skinning/symmetric_edit.hpp"
+#include "core/document/edits/edit_skin.hpp"
+#include "core/skinning/edit/edit_path.hpp"
+#include "core/skinning/edit/edit_section.hpp"
+#include "core/skinning/edit/symmetric_edit.hpp"
 #include "ui/editor/skin_view.hpp"
 
 namespace hariko {

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "core/skinning/edit_correspondence.hpp"
-#include "core/skinning/skin_edit.hpp"
+#include "core/skinning/edit/edit_correspondence.hpp"
+#include "core/skinning/edit/skin_edit.hpp"
 #include "ui/editor/editor.hpp"
 
 namespace hariko {

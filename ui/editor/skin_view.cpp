@@ -4,7 +4,7 @@
 #include <limits>
 #include <map>
 
-#include "core/skinning/stroke.hpp"
+#include "core/skinning/edit/stroke.hpp"
 
 namespace hariko {
 

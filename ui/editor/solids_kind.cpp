@@ -1,6 +1,6 @@
 // The kind of objects made of solids, each selected as a vertex with its id.
 
-#include "core/document/edit_solids.hpp"
+#include "core/document/edits/edit_solids.hpp"
 #include "ui/base/language.hpp"
 #include "ui/editor/editor.hpp"
 #include "ui/editor/object_kind.hpp"

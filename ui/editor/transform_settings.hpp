@@ -2,7 +2,7 @@
 
 // TransformSettings: how the transform tools work. Kept for the session, not part of the document.
 
-#include "core/modeling/soft_selection.hpp"
+#include "core/modeling/selection/soft_selection.hpp"
 
 namespace hariko {
 

@@ -5,7 +5,7 @@
 #include <array>
 #include <numbers>
 
-#include "core/base/file_ending.hpp"
+#include "core/base/files/file_ending.hpp"
 #include "ui/widgets/option_fields.hpp"
 #include "ui/widgets/tips.hpp"
 

@@ -7,8 +7,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/document/cad_choices.hpp"
-#include "core/document/file_choices.hpp"
+#include "core/document/format/cad_choices.hpp"
+#include "core/document/format/file_choices.hpp"
 
 namespace hariko {
 

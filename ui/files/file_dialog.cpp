@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "core/base/file_ending.hpp"
+#include "core/base/files/file_ending.hpp"
 #include "ui/base/file_formats.hpp"
 #include "ui/base/icons.hpp"
 #include "ui/files/export_text.hpp"

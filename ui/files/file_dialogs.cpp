@@ -2,8 +2,8 @@
 
 #include <utility>
 
-#include "core/base/file_ending.hpp"
-#include "core/base/file_io.hpp"
+#include "core/base/files/file_ending.hpp"
+#include "core/base/files/file_io.hpp"
 #include "core/cad/kernel/cad_file.hpp"
 #include "render/reference_image.hpp"
 #include "ui/files/key_file.hpp"

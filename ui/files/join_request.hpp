@@ -6,7 +6,7 @@
 #include <string>
 
 #include "core/document/document.hpp"
-#include "core/exchange/clean_part.hpp"
+#include "core/exchange/repair/clean_part.hpp"
 #include "ui/widgets/prompt.hpp"
 
 namespace hariko {

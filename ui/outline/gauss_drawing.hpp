@@ -4,7 +4,7 @@
 
 #include <set>
 
-#include "core/gaussmap/gauss_sphere.hpp"
+#include "core/gaussmap/sphere/gauss_sphere.hpp"
 #include "ui/editor/gauss_view.hpp"
 #include "ui/widgets/panels.hpp"
 

@@ -4,11 +4,11 @@
 
 #include <cmath>
 
-#include "core/document/edits.hpp"
-#include "core/gaussmap/drawn_loop.hpp"
-#include "core/gaussmap/loop_curve.hpp"
-#include "core/gaussmap/outline_check.hpp"
-#include "core/gaussmap/spread_normals.hpp"
+#include "core/document/edits/edits.hpp"
+#include "core/gaussmap/outlines/drawn_loop.hpp"
+#include "core/gaussmap/outlines/interpolate_normals.hpp"
+#include "core/gaussmap/outlines/loop_curve.hpp"
+#include "core/gaussmap/outlines/outline_check.hpp"
 #include "ui/editor/new_object.hpp"
 #include "ui/editor/outlines.hpp"
 #include "ui/editor/probe.hpp"

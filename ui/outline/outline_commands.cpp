@@ -1,9 +1,9 @@
 // Commands of the Outline menu: loops drawn, taken from borders, their points and normals, and the polyhedron
 // that they become.
 
-#include "core/document/edits.hpp"
-#include "core/gaussmap/border_outline.hpp"
-#include "core/modeling/convert_object.hpp"
+#include "core/document/edits/edits.hpp"
+#include "core/gaussmap/outlines/border_outline.hpp"
+#include "core/modeling/surfacing/convert_object.hpp"
 #include "ui/editor/command_host.hpp"
 #include "ui/editor/new_object.hpp"
 #include "ui/editor/outlines.hpp"

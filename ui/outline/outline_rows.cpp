@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/gaussmap/outline_check.hpp"
-#include "core/gaussmap/spread_normals.hpp"
+#include "core/gaussmap/outlines/interpolate_normals.hpp"
+#include "core/gaussmap/outlines/outline_check.hpp"
 #include "ui/editor/outlines.hpp"
 #include "ui/widgets/choice.hpp"
 #include "ui/widgets/tips.hpp"

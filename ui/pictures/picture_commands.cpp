@@ -2,8 +2,8 @@
 
 #include <filesystem>
 
-#include "core/base/printable.hpp"
-#include "core/document/edits.hpp"
+#include "core/base/text/sanitized_utf8.hpp"
+#include "core/document/edits/edits.hpp"
 #include "ui/base/icons.hpp"
 #include "ui/editor/command_host.hpp"
 #include "ui/editor/reference_pictures.hpp"
@@ -68,7 +68,7 @@ void add_file_rows(CommandHost& host, const std::string& menu) {
                   [&] {
                     const Object& first = *editor.document().find(missing_pictures(editor).front());
                     const std::filesystem::path path(first.picture()->path);
-                    services.find_pictures(printable(path.filename().string()));
+                    services.find_pictures(sanitized_utf8(path.filename().string()));
                   },
                   [&editor]() -> Reason {
                     if (editor.has_document && !missing_pictures(editor).empty()) return {};

@@ -5,7 +5,7 @@
 #include <array>
 #include <filesystem>
 
-#include "core/base/printable.hpp"
+#include "core/base/text/sanitized_utf8.hpp"
 #include "ui/widgets/choice.hpp"
 #include "ui/widgets/tips.hpp"
 #include "ui/widgets/value_fields.hpp"
@@ -52,13 +52,13 @@ void set_looks(PanelContext& context, const Objects& pictures, const std::string
 void picture_file_row(PanelContext& context, const Object& object) {
   const PictureSource& source = *object.picture();
   const std::filesystem::path path(source.path);
-  const std::string name = printable(path.filename().string());
+  const std::string name = sanitized_utf8(path.filename().string());
   context.editor.show_text(name);
   row_label(context, "File", "");
   ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted(name.c_str());
   if (ImGui::IsItemHovered())
-    show_tip(source.packed() ? context.tr("In the document") : printable(source.path).c_str());
+    show_tip(source.packed() ? context.tr("In the document") : sanitized_utf8(source.path).c_str());
   context.marks.item("picture.file");
   const ReferenceView* view = context.editor.references.of(object.id);
   row_label(context, "", "");

@@ -2,7 +2,7 @@
 
 #include <GLFW/glfw3.h>
 
-#include "core/document/edit_pictures.hpp"
+#include "core/document/edits/edit_pictures.hpp"
 #include "core/document/length_units.hpp"
 #include "ui/editor/numeric_input.hpp"
 #include "ui/editor/reference_pictures.hpp"

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "core/document/edits.hpp"
-#include "core/patching/join.hpp"
+#include "core/document/edits/edits.hpp"
+#include "core/patching/joins/join.hpp"
 #include "ui/editor/command_host.hpp"
 
 namespace hariko {

@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "core/document/edits.hpp"
+#include "core/document/edits/edits.hpp"
 #include "ui/widgets/choice.hpp"
 #include "ui/widgets/value_fields.hpp"
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/document/edits.hpp"
+#include "core/document/edits/edits.hpp"
 #include "ui/polyhedron/attachment_rows.hpp"
 #include "ui/widgets/choice.hpp"
 

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <vector>
 
-#include "core/modeling/cut_between.hpp"
-#include "core/modeling/edit_modeling.hpp"
+#include "core/modeling/cuts/knife_path.hpp"
+#include "core/modeling/objects/edit_modeling.hpp"
 #include "ui/editor/operations.hpp"
 #include "ui/polyhedron/refine_position.hpp"
 #include "ui/view/overlay_drawing.hpp"
@@ -196,7 +196,7 @@ class KnifeTool final : public Tool {
     const Vector3 normal =
         camera.orthographic ? camera.forward().cross(b - a) : (a - camera.eye()).cross(b - camera.eye());
     auto between =
-        cut_between(source.polyhedron, from, place_->point, object.transform.rotation.conjugate() * normal);
+        knife_path(source.polyhedron, from, place_->point, object.transform.rotation.conjugate() * normal);
     if (!between) {
       error_ = context.editor.language.text_of(between.error());
       return;

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <vector>
 
-#include "core/modeling/edge_paths.hpp"
-#include "core/modeling/edit_modeling.hpp"
-#include "core/modeling/loop_cut.hpp"
+#include "core/modeling/cuts/loop_cut.hpp"
+#include "core/modeling/objects/edit_modeling.hpp"
+#include "core/modeling/selection/edge_paths.hpp"
 #include "ui/editor/numeric_input.hpp"
 #include "ui/editor/operations.hpp"
 #include "ui/polyhedron/refine_position.hpp"

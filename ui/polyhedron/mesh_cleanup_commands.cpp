@@ -2,21 +2,21 @@
 
 #include <algorithm>
 
-#include "core/document/edit_solids.hpp"
-#include "core/document/edits.hpp"
-#include "core/modeling/bridge.hpp"
-#include "core/modeling/cut_faces.hpp"
-#include "core/modeling/delete_elements.hpp"
-#include "core/modeling/dissolve.hpp"
-#include "core/modeling/fill_hole.hpp"
-#include "core/modeling/flip.hpp"
-#include "core/modeling/halve.hpp"
-#include "core/modeling/join.hpp"
-#include "core/modeling/merge_vertices.hpp"
-#include "core/modeling/mirrored.hpp"
-#include "core/modeling/select_convert.hpp"
-#include "core/modeling/select_region.hpp"
-#include "core/modeling/separate.hpp"
+#include "core/document/edits/edit_solids.hpp"
+#include "core/document/edits/edits.hpp"
+#include "core/modeling/cuts/bisect.hpp"
+#include "core/modeling/cuts/cut_faces.hpp"
+#include "core/modeling/operations/bridge.hpp"
+#include "core/modeling/operations/delete_elements.hpp"
+#include "core/modeling/operations/dissolve.hpp"
+#include "core/modeling/operations/fill_hole.hpp"
+#include "core/modeling/operations/flip.hpp"
+#include "core/modeling/operations/join.hpp"
+#include "core/modeling/operations/merge_vertices.hpp"
+#include "core/modeling/operations/separate.hpp"
+#include "core/modeling/selection/select_convert.hpp"
+#include "core/modeling/selection/select_region.hpp"
+#include "core/modeling/surfacing/mirrored.hpp"
 #include "ui/base/icons.hpp"
 #include "ui/editor/command_host.hpp"
 #include "ui/editor/operations.hpp"
@@ -52,13 +52,13 @@ double size_of(const PolyhedronSource& source) {
   return box.isEmpty() ? 0 : box.sizes().maxCoeff();
 }
 
-Result<Modeled> deleted(const PolyhedronSource& source, const ElementSet& set, ElementKind kind) {
+Result<EditResult> deleted(const PolyhedronSource& source, const ElementSet& set, ElementKind kind) {
   if (kind == ElementKind::face) return delete_faces(source, list_of(set.faces));
   if (kind == ElementKind::edge) return delete_edges(source, list_of(set.edges));
   return delete_vertices(source, list_of(set.vertices));
 }
 
-Result<Modeled> dissolved(const PolyhedronSource& source, const ElementSet& set, ElementKind kind) {
+Result<EditResult> dissolved(const PolyhedronSource& source, const ElementSet& set, ElementKind kind) {
   if (kind == ElementKind::face) return dissolve_faces(source, list_of(set.faces));
   if (kind == ElementKind::edge) return dissolve_edges(source, list_of(set.edges));
   return dissolve_vertices(source, list_of(set.vertices));
@@ -136,7 +136,7 @@ void merge_near(Editor& editor) {
       });
 }
 
-Result<Modeled> bridged(const PolyhedronSource& source, const ElementSet& set) {
+Result<EditResult> bridged(const PolyhedronSource& source, const ElementSet& set) {
   if (set.faces.size() == 2) return bridge_faces(source, *set.faces.begin(), *set.faces.rbegin());
   if (!set.faces.empty())
     return make_error(e_wrong_selection, "A bridge needs two faces, or the edges of two borders.",
@@ -161,7 +161,7 @@ void toggle_mirror(Editor& editor, Axis axis) {
   // What lies behind the plane goes, so that the image takes its place. Another mirror's image stays.
   const Mirror mirror{axis, weld_share * size_of(source)};
   const auto half =
-      edit_polyhedron(editor.history.current(), object, [&](const PolyhedronSource& s) -> Result<Modeled> {
+      edit_polyhedron(editor.history.current(), object, [&](const PolyhedronSource& s) -> Result<EditResult> {
         const auto whole = baked(s);
         if (!whole) return whole.error();
         const auto form = form_for_refinement(editor, *whole);
@@ -363,7 +363,7 @@ void add_mirrors(MeshMenu& menu, Editor& editor) {
              [&editor, axis, label] {
                run_operation(
                    editor,
-                   [axis](const PolyhedronSource& source) -> Result<Modeled> {
+                   [axis](const PolyhedronSource& source) -> Result<EditResult> {
                      return mirror_object(source, axis);
                    },
                    label);

@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <limits>
 
-#include "core/modeling/bevel_edges.hpp"
-#include "core/modeling/bevel_vertices.hpp"
-#include "core/modeling/cut.hpp"
-#include "core/modeling/extrude.hpp"
-#include "core/modeling/face_geometry.hpp"
-#include "core/modeling/inset.hpp"
-#include "core/modeling/subdivide.hpp"
+#include "core/modeling/cuts/cut.hpp"
+#include "core/modeling/cuts/subdivide.hpp"
+#include "core/modeling/operations/bevel_edges.hpp"
+#include "core/modeling/operations/bevel_vertices.hpp"
+#include "core/modeling/operations/extrude.hpp"
+#include "core/modeling/operations/face_geometry.hpp"
+#include "core/modeling/operations/inset.hpp"
 #include "ui/base/icons.hpp"
 #include "ui/editor/command_host.hpp"
 #include "ui/editor/operations.hpp"

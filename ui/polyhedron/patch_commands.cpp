@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/modeling/patch_objects.hpp"
+#include "core/modeling/objects/patch_objects.hpp"
 #include "ui/view/transform_target.hpp"
 
 namespace hariko {

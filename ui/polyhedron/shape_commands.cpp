@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <memory>
 
-#include "core/document/edits.hpp"
-#include "core/modeling/edit_modeling.hpp"
-#include "core/modeling/local_edit.hpp"
+#include "core/document/edits/edits.hpp"
+#include "core/modeling/objects/edit_modeling.hpp"
+#include "core/modeling/surfacing/local_edit.hpp"
 #include "ui/base/icons.hpp"
 #include "ui/editor/command_host.hpp"
 #include "ui/polyhedron/tension_tool.hpp"
@@ -214,10 +214,10 @@ void add_tags(CommandHost& host) {
                    editor, "Fix tangents",
                    [](const auto& document, const auto& object, const auto& elements) -> Result<Document> {
                      const auto fixed = edit_polyhedron(
-                         document, object.id, [&](const PolyhedronSource& source) -> Result<Modeled> {
+                         document, object.id, [&](const PolyhedronSource& source) -> Result<EditResult> {
                            auto frozen = freeze_tangents(source, vertices_of(elements));
                            if (!frozen) return frozen.error();
-                           return Modeled{std::move(frozen).value(), {}};
+                           return EditResult{std::move(frozen).value(), {}};
                          });
                      if (!fixed) return fixed.error();
                      return fixed->document;

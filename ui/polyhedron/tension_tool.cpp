@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/document/edits.hpp"
+#include "core/document/edits/edits.hpp"
 #include "ui/editor/object_kind.hpp"
 #include "ui/view/overlay_drawing.hpp"
 #include "ui/view/transform_target.hpp"

@@ -2,10 +2,10 @@
 
 #include <string>
 
-#include "core/document/edits.hpp"
-#include "core/modeling/arched_net.hpp"
-#include "core/modeling/primitives.hpp"
-#include "core/skinning/simple_skin.hpp"
+#include "core/document/edits/edits.hpp"
+#include "core/modeling/objects/parabolic_grid.hpp"
+#include "core/modeling/objects/primitives.hpp"
+#include "core/skinning/columns/simple_skin.hpp"
 #include "ui/editor/command_host.hpp"
 #include "ui/editor/new_object.hpp"
 
@@ -80,7 +80,7 @@ void add_patches(CommandHost& host) {
   };
   const MakeSource make = [](std::span<const OperationNumber> n) -> Result<Source> {
     Result<PatchSource> source = PatchSource::from_net(
-        arched_net(Index(count_of(n[0])), Index(count_of(n[1])), n[2].value, n[3].value, n[4].value));
+        parabolic_grid(Index(count_of(n[0])), Index(count_of(n[1])), n[2].value, n[3].value, n[4].value));
     if (!source) return source.error();
     return Source(std::move(source).value());
   };

@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "core/cad/kernel/cad_file.hpp"
-#include "core/document/edits.hpp"
-#include "core/modeling/primitives.hpp"
+#include "core/document/edits/edits.hpp"
+#include "core/modeling/objects/primitives.hpp"
 #include "ui/base/icons.hpp"
 #include "ui/editor/new_object.hpp"
 #include "ui/shell/shell_commands.hpp"

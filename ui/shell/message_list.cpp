@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "core/document/edits.hpp"
-#include "core/patching/join.hpp"
+#include "core/document/edits/edits.hpp"
+#include "core/patching/joins/join.hpp"
 #include "core/polyhedron/validation.hpp"
 #include "ui/base/icons.hpp"
 #include "ui/base/text_lines.hpp"

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/document/edits.hpp"
+#include "core/document/edits/edits.hpp"
 #include "ui/base/icons.hpp"
 #include "ui/editor/command_host.hpp"
 #include "ui/editor/selected_items.hpp"

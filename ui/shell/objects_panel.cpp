@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <array>
 
-#include "core/base/natural_order.hpp"
+#include "core/base/text/natural_order.hpp"
 #include "ui/base/fuzzy.hpp"
 #include "ui/base/icons.hpp"
 #include "ui/editor/selected_items.hpp"

@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "core/document/edit_skin.hpp"
+#include "core/document/edits/edit_skin.hpp"
 #include "ui/editor/skin_view.hpp"
 #include "ui/shell/shell_commands.hpp"
 #include "ui/shell/workbench.hpp"

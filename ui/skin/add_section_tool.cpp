@@ -2,7 +2,7 @@
 
 #include <GLFW/glfw3.h>
 
-#include "core/skinning/skin_places.hpp"
+#include "core/skinning/sections/skin_places.hpp"
 #include "ui/editor/probe.hpp"
 #include "ui/editor/skin_view.hpp"
 #include "ui/view/overlay_drawing.hpp"

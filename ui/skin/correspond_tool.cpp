@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "core/document/edit_skin.hpp"
+#include "core/document/edits/edit_skin.hpp"
 #include "ui/editor/skin_edits.hpp"
 #include "ui/skin/correspondence_drag.hpp"
 #include "ui/view/overlay_drawing.hpp"

@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <set>
 
-#include "core/skinning/edit_correspondence.hpp"
-#include "core/skinning/stroke.hpp"
+#include "core/skinning/edit/edit_correspondence.hpp"
+#include "core/skinning/edit/stroke.hpp"
 #include "ui/editor/skin_view.hpp"
 #include "ui/view/tool.hpp"
 

@@ -3,7 +3,7 @@
 // What can be dragged of correspondences: the diamond of a merge along the lines of its strip, and the end of
 // a line from point to point of its section.
 
-#include "core/skinning/edit_correspondence.hpp"
+#include "core/skinning/edit/edit_correspondence.hpp"
 #include "ui/editor/skin_view.hpp"
 
 namespace hariko {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/skinning/freehand_curve.hpp"
+#include "core/skinning/edit/freehand_curve.hpp"
 #include "ui/view/overlay_drawing.hpp"
 #include "ui/view/snapping.hpp"
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "core/skinning/section_frame.hpp"
-#include "core/skinning/subdivision_curve.hpp"
+#include "core/skinning/sections/section_frame.hpp"
+#include "core/subdivision/subdivision_curve.hpp"
 #include "ui/view/tool.hpp"
 
 namespace hariko {

@@ -6,10 +6,10 @@
 #include <array>
 #include <cmath>
 
-#include "core/document/edits.hpp"
-#include "core/skinning/add_section.hpp"
-#include "core/skinning/edit_section.hpp"
-#include "core/skinning/simple_skin.hpp"
+#include "core/document/edits/edits.hpp"
+#include "core/skinning/columns/simple_skin.hpp"
+#include "core/skinning/edit/add_section.hpp"
+#include "core/skinning/edit/edit_section.hpp"
 #include "ui/editor/new_object.hpp"
 #include "ui/editor/skin_edits.hpp"
 #include "ui/editor/skin_view.hpp"

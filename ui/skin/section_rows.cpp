@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "core/skinning/section_deviation.hpp"
+#include "core/skinning/sections/section_deviation.hpp"
 #include "ui/editor/skin_view.hpp"
 #include "ui/widgets/tips.hpp"
 #include "ui/widgets/value_fields.hpp"

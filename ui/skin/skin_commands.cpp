@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "core/skinning/add_section.hpp"
-#include "core/skinning/edit_path.hpp"
-#include "core/skinning/symmetric_edit.hpp"
+#include "core/skinning/edit/add_section.hpp"
+#include "core/skinning/edit/edit_path.hpp"
+#include "core/skinning/edit/symmetric_edit.hpp"
 #include "ui/editor/new_object.hpp"
 #include "ui/editor/skin_edits.hpp"
 #include "ui/editor/skin_view.hpp"

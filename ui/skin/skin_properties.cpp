@@ -6,13 +6,13 @@
 #include <functional>
 #include <string_view>
 
-#include "core/document/edit_skin.hpp"
+#include "core/document/edits/edit_skin.hpp"
 #include "core/document/object_box.hpp"
-#include "core/skinning/edit_path.hpp"
-#include "core/skinning/edit_section.hpp"
-#include "core/skinning/make_rails.hpp"
+#include "core/skinning/edit/edit_path.hpp"
+#include "core/skinning/edit/edit_section.hpp"
+#include "core/skinning/edit/symmetric_edit.hpp"
+#include "core/skinning/sections/make_rails.hpp"
 #include "core/skinning/skin_messages.hpp"
-#include "core/skinning/symmetric_edit.hpp"
 #include "ui/editor/skin_edits.hpp"
 #include "ui/editor/skin_view.hpp"
 #include "ui/skin/section_rows.hpp"

@@ -3,11 +3,11 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
-#include "core/document/edit_skin.hpp"
-#include "core/skinning/edit_path.hpp"
-#include "core/skinning/edit_section.hpp"
-#include "core/skinning/section_frame.hpp"
-#include "core/skinning/symmetric_edit.hpp"
+#include "core/document/edits/edit_skin.hpp"
+#include "core/skinning/edit/edit_path.hpp"
+#include "core/skinning/edit/edit_section.hpp"
+#include "core/skinning/edit/symmetric_edit.hpp"
+#include "core/skinning/sections/section_frame.hpp"
 #include "ui/editor/skin_edits.hpp"
 #include "ui/editor/skin_view.hpp"
 #include "ui/skin/correspondence_drag.hpp"

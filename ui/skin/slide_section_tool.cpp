@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "core/skinning/edit_path.hpp"
+#include "core/skinning/edit/edit_path.hpp"
 #include "ui/editor/numeric_input.hpp"
 #include "ui/editor/skin_edits.hpp"
 #include "ui/editor/skin_view.hpp"

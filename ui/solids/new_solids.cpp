@@ -2,9 +2,9 @@
 
 #include <array>
 
-#include "core/document/edit_solids.hpp"
+#include "core/document/edits/edit_solids.hpp"
 #include "core/envelope/ball/tightness.hpp"
-#include "core/modeling/primitives.hpp"
+#include "core/modeling/objects/primitives.hpp"
 #include "ui/editor/new_object.hpp"
 
 namespace hariko {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/modeling/place_solid.hpp"
+#include "core/modeling/objects/place_solid.hpp"
 #include "ui/editor/new_object.hpp"
 #include "ui/view/overlay_drawing.hpp"
 #include "ui/view/snapping.hpp"

@@ -5,10 +5,10 @@
 #include <array>
 #include <memory>
 
-#include "core/document/edit_solids.hpp"
+#include "core/document/edits/edit_solids.hpp"
 #include "core/envelope/ball/tightness.hpp"
 #include "core/envelope/bridge.hpp"
-#include "core/modeling/primitives.hpp"
+#include "core/modeling/objects/primitives.hpp"
 #include "ui/editor/command_host.hpp"
 #include "ui/editor/new_object.hpp"
 #include "ui/solids/new_solids.hpp"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "core/document/edit_solids.hpp"
+#include "core/document/edits/edit_solids.hpp"
 #include "core/envelope/ball/tightness.hpp"
 #include "core/envelope/envelope.hpp"
 #include "ui/widgets/choice.hpp"

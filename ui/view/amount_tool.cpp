@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "core/document/length_units.hpp"
-#include "core/modeling/edit_modeling.hpp"
+#include "core/modeling/objects/edit_modeling.hpp"
 #include "ui/editor/operations.hpp"
 #include "ui/view/axis_lock.hpp"
 #include "ui/view/overlay_drawing.hpp"

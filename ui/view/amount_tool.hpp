@@ -4,8 +4,8 @@
 
 #include <functional>
 
-#include "core/modeling/modeled.hpp"
-#include "core/modeling/region.hpp"
+#include "core/modeling/edit_result.hpp"
+#include "core/modeling/selection/region.hpp"
 #include "ui/editor/numeric_input.hpp"
 #include "ui/view/tool.hpp"
 
@@ -22,7 +22,7 @@ struct AmountOperation {
   bool negative = false;                 ///< whether amounts may be below zero
   bool grouped = false;                  ///< whether I changes between regions and single faces
   Grouping grouping = Grouping::region;  ///< to begin with
-  std::function<Result<Modeled>(const PolyhedronSource&, double amount, Grouping)> apply;
+  std::function<Result<EditResult>(const PolyhedronSource&, double amount, Grouping)> apply;
   /// The least amount that is refused as too large; infinity where there is none.
   std::function<double(const PolyhedronSource&, Grouping)> limit = {};
 };

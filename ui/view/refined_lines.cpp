@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "core/modeling/cut_between.hpp"
+#include "core/modeling/cuts/knife_path.hpp"
 #include "render/shown_edges.hpp"
 #include "ui/editor/operations.hpp"
 

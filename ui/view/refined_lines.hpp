@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/modeling/cut.hpp"
+#include "core/modeling/cuts/cut.hpp"
 #include "ui/view/tool.hpp"
 
 namespace hariko {

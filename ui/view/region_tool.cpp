@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <map>
 
-#include "core/document/edit_solids.hpp"
+#include "core/document/edits/edit_solids.hpp"
 #include "render/region_picking.hpp"
 #include "ui/editor/skin_view.hpp"
 #include "ui/view/overlay_drawing.hpp"

@@ -1,8 +1,8 @@
 // Commands that choose elements and objects.
 
-#include "core/modeling/edge_paths.hpp"
-#include "core/modeling/select_region.hpp"
-#include "core/modeling/select_similar.hpp"
+#include "core/modeling/selection/edge_paths.hpp"
+#include "core/modeling/selection/select_region.hpp"
+#include "core/modeling/selection/select_similar.hpp"
 #include "ui/base/icons.hpp"
 #include "ui/editor/command_host.hpp"
 #include "ui/view/region_tool.hpp"

@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
-#include "core/gaussmap/edit_outline.hpp"
-#include "core/modeling/edge_paths.hpp"
-#include "core/modeling/select_region.hpp"
+#include "core/gaussmap/outlines/edit_outline.hpp"
+#include "core/modeling/selection/edge_paths.hpp"
+#include "core/modeling/selection/select_region.hpp"
 #include "ui/view/region_tool.hpp"
 #include "ui/view/transform_tool.hpp"
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/skinning/section_frame.hpp"
+#include "core/skinning/sections/section_frame.hpp"
 #include "ui/editor/skin_view.hpp"
 #include "ui/view/transform_target.hpp"
 

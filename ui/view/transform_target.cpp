@@ -7,14 +7,14 @@
 #include <set>
 
 #include "core/base/disjoint_sets.hpp"
-#include "core/document/edit_attachments.hpp"
-#include "core/document/edit_solids.hpp"
-#include "core/document/edits.hpp"
-#include "core/modeling/edit_modeling.hpp"
-#include "core/modeling/local_edit.hpp"
-#include "core/modeling/transform_solid.hpp"
-#include "core/skinning/edit_path.hpp"
-#include "core/skinning/edit_section.hpp"
+#include "core/document/edits/edit_attachments.hpp"
+#include "core/document/edits/edit_solids.hpp"
+#include "core/document/edits/edits.hpp"
+#include "core/modeling/objects/edit_modeling.hpp"
+#include "core/modeling/objects/transform_solid.hpp"
+#include "core/modeling/surfacing/local_edit.hpp"
+#include "core/skinning/edit/edit_path.hpp"
+#include "core/skinning/edit/edit_section.hpp"
 #include "ui/editor/object_kind.hpp"
 #include "ui/editor/outlines.hpp"
 #include "ui/editor/skin_edits.hpp"
@@ -395,10 +395,11 @@ Result<Document> TransformTarget::apply_locally(const Document& document, const 
   if (!moves && !(std::abs(linear.determinant()) > 1e-12))
     return make_error(e_transform_invalid, "Tangents cannot be scaled to nothing.",
                       "Scale by another number.");
-  const auto fixed = edit_polyhedron(document, part.object, [&](const PolyhedronSource&) -> Result<Modeled> {
-    if (moves) return Modeled{**part.frozen, {}};
-    return Modeled{with_turned_tangents(**part.frozen, part.vertices, linear), {}};
-  });
+  const auto fixed =
+      edit_polyhedron(document, part.object, [&](const PolyhedronSource&) -> Result<EditResult> {
+        if (moves) return EditResult{**part.frozen, {}};
+        return EditResult{with_turned_tangents(**part.frozen, part.vertices, linear), {}};
+      });
   if (!fixed) return fixed.error();
   if (!moves) return fixed->document;
   std::vector<Vector3> positions;

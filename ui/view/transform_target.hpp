@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "core/modeling/transformation.hpp"
+#include "core/modeling/objects/transformation.hpp"
 #include "ui/editor/editor.hpp"
 
 namespace hariko {

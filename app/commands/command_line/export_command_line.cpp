@@ -4,7 +4,7 @@
 #include <numbers>
 
 #include "app/commands/command_line/distinct_files.hpp"
-#include "core/base/file_ending.hpp"
+#include "core/base/files/file_ending.hpp"
 #include "core/cad/kernel/cad_file.hpp"
 #include "core/exchange/mesh_file.hpp"
 

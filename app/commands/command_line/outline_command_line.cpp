@@ -3,7 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 
-#include "core/document/format_names.hpp"
+#include "core/document/format/format_names.hpp"
 
 namespace hariko {
 

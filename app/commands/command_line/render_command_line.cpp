@@ -7,7 +7,7 @@
 #include <cmath>
 #include <optional>
 
-#include "core/base/file_ending.hpp"
+#include "core/base/files/file_ending.hpp"
 #include "render/color_map.hpp"
 #include "render/picture.hpp"
 

@@ -15,8 +15,8 @@
 #include "app/commands/command_line/window_command_line.hpp"
 #include "app/commands/commands.hpp"
 #include "app/commands/console.hpp"
-#include "core/base/file_io.hpp"
-#include "core/base/printable.hpp"
+#include "core/base/files/file_io.hpp"
+#include "core/base/text/sanitized_utf8.hpp"
 
 namespace hariko {
 
@@ -127,8 +127,8 @@ class CommandLine {
     for (const std::filesystem::path& file : options.files) {
       std::error_code unknown;
       if (!std::filesystem::exists(file, unknown))
-        report(printable(file.string()), make_error(e_file_open, "There is no such file.",
-                                                    "Check its name and the folder that it lies in."));
+        report(sanitized_utf8(file.string()), make_error(e_file_open, "There is no such file.",
+                                                         "Check its name and the folder that it lies in."));
     }
   }
 

@@ -12,7 +12,7 @@
 
 #include "app/commands/commands.hpp"
 #include "app/commands/console.hpp"
-#include "core/base/file_io.hpp"
+#include "core/base/files/file_io.hpp"
 #include "core/exchange/mesh_file.hpp"
 
 namespace hariko {

@@ -5,8 +5,8 @@
 #include <system_error>
 #include <vector>
 
-#include "core/base/nearest_word.hpp"
-#include "core/base/printable.hpp"
+#include "core/base/text/nearest_word.hpp"
+#include "core/base/text/sanitized_utf8.hpp"
 
 namespace hariko {
 

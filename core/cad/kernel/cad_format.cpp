@@ -1,4 +1,4 @@
-#include "core/base/file_ending.hpp"
+#include "core/base/files/file_ending.hpp"
 #include "core/cad/kernel/cad_file.hpp"
 
 namespace hariko {

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "core/base/assert.hpp"
-#include "core/base/utf8.hpp"
+#include "core/base/text/utf8.hpp"
 
 namespace hariko {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/base/small_solver.hpp"
+#include "core/base/solvers/small_solver.hpp"
 #include "core/geometry/tolerant_hull.hpp"
 
 namespace hariko {

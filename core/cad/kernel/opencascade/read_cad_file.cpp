@@ -26,8 +26,8 @@
 #include <new>
 #include <sstream>
 
-#include "core/base/file_io.hpp"
-#include "core/base/printable.hpp"
+#include "core/base/files/file_io.hpp"
+#include "core/base/text/sanitized_utf8.hpp"
 #include "core/cad/kernel/cad_file.hpp"
 #include "core/cad/kernel/cad_text.hpp"
 #include "core/cad/kernel/opencascade/isolated.hpp"
@@ -72,7 +72,7 @@ std::string name_of(const TDF_Label& label) {
   Standard_PCharacter at = out.data();
   name->Get().ToUTF8CString(at);
   out.resize(out.size() - 1);
-  return printable(out, 200);
+  return sanitized_utf8(out, 200);
 }
 
 class Collector {
@@ -366,11 +366,12 @@ Result<CadScene> read(const std::filesystem::path& path, CadFormat format, const
     }
     return made;
   } catch (const Standard_Failure& failure) {
-    return failed("OpenCASCADE cannot read this file: " + printable(failure.GetMessageString(), 200) + ".");
+    return failed("OpenCASCADE cannot read this file: " + sanitized_utf8(failure.GetMessageString(), 200) +
+                  ".");
   } catch (const std::bad_alloc&) {
     return make_error(e_limit, "There is not enough memory for this file.", "Export fewer parts.");
   } catch (const std::exception& failure) {
-    return failed("OpenCASCADE cannot read this file: " + printable(failure.what(), 200) + ".");
+    return failed("OpenCASCADE cannot read this file: " + sanitized_utf8(failure.what(), 200) + ".");
   }
 }
 

@@ -5,7 +5,7 @@
 #include <cstring>
 #include <type_traits>
 
-#include "core/base/file_io.hpp"
+#include "core/base/files/file_io.hpp"
 
 namespace hariko {
 

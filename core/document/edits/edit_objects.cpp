@@ -1,0 +1,288 @@
+#include "core/document/edits/edit_objects.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <map>
+#include <set>
+#include <string_view>
+
+#include "core/document/edits/edit_attachments.hpp"
+#include "core/document/edits/edit_support.hpp"
+
+namespace hariko {
+namespace detail {
+
+Message unknown_object(ObjectId id) {
+  return make_error(e_unknown_object, "The document has no such object.", "Select an object of the document.",
+                    element_of(id));
+}
+
+Message locked_object(const Object& object) {
+  return make_error(e_locked, "The object \"" + object.name + "\" is locked.", "Unlock it first.",
+                    element_of(object.id));
+}
+
+Result<Document> change_object(const Document& document, ObjectId id, bool unlocked_only,
+                               const std::function<Result<Done>(Object&)>& change) {
+  const Object* object = document.find(id);
+  if (!object) return unknown_object(id);
+  if (unlocked_only && object->locked) return locked_object(*object);
+  Object changed = *object;
+  if (const Result<Done> done = change(changed); !done) return done.error();
+  // An unchanged object stays shared, so that the equality test of the history is fast.
+  if (changed == *object) return document;
+  return with_object(document, std::move(changed));
+}
+
+Document with_object(const Document& document, Object object) {
+  Document changed = document;
+  for (auto& shared : changed.objects)
+    if (shared->id == object.id) {
+      shared = std::make_shared<const Object>(std::move(object));
+      break;
+    }
+  return changed;
+}
+
+std::string name_with(std::string name, std::string_view suffix) {
+  if (name.size() + suffix.size() > Object::max_name_length) {
+    std::size_t size = Object::max_name_length - suffix.size();
+    while (size > 0 && (static_cast<unsigned char>(name[size]) & 0xc0) == 0x80) --size;
+    name.resize(size);
+  }
+  return name.append(suffix);
+}
+
+Result<Similarity> checked_transform(const Similarity& transform) {
+  const double norm = transform.rotation.norm();
+  const bool finite =
+      std::isfinite(norm) && std::isfinite(transform.scale) && transform.translation.allFinite();
+  if (!finite || norm < 1e-9 || !(transform.scale >= Similarity::min_scale) ||
+      transform.scale > Similarity::max_scale)
+    return make_error(e_transform_invalid, "The object cannot be placed like this.",
+                      "Use finite numbers, a rotation that is not zero, and a scale from 1e-9 to 1e9.");
+  Similarity result = transform;
+  // Stored numbers are returned unchanged: only a rotation that is clearly not a unit quaternion is
+  // normalised.
+  if (std::abs(norm - 1) > 1e-12) result.rotation.normalize();
+  return result;
+}
+
+Result<Done> check_display(const DisplaySettings& display) {
+  if (display.density < DisplaySettings::min_density || display.density > DisplaySettings::max_density)
+    return make_error(e_display_invalid, "The display density is out of range.",
+                      "Use a density from 1 to 64.");
+  const CombSettings& combs = display.combs;
+  if (combs.density < CombSettings::min_density || combs.density > CombSettings::max_density ||
+      !(combs.scale >= CombSettings::min_scale && combs.scale <= CombSettings::max_scale))
+    return make_error(e_display_invalid, "The density or the scale of the curvature combs is out of range.",
+                      "Use a density from 4 to 128 and a scale from 1/64 to 64.");
+  for (const MapRange& range : display.ranges)
+    if (!std::isfinite(range.low) || !std::isfinite(range.high) || !(range.low < range.high))
+      return make_error(e_display_invalid, "The range of a map must begin below its end.",
+                        "Type a lower end that is smaller than the upper end.");
+  return Done{};
+}
+
+}  // namespace detail
+
+namespace {
+
+Message too_many_objects() {
+  return make_error(e_too_many_objects, "The document has no room for more objects.",
+                    "Delete objects first.");
+}
+
+bool has_room(const Document& document, std::size_t count) {
+  return document.objects.size() + count <= Document::max_objects &&
+         document.next_object_id.value <= no_index - count;
+}
+
+std::map<ObjectId, const Object*> by_id(const Document& document) {
+  std::map<ObjectId, const Object*> out;
+  for (const auto& object : document.objects) out.emplace(object->id, object.get());
+  return out;
+}
+
+}  // namespace
+
+Result<Added> add_object(const Document& document, std::string name, Source source,
+                         const Similarity& transform, const DisplaySettings& display) {
+  if (!has_room(document, 1)) return too_many_objects();
+  if (const auto checked = check_name(name); !checked) return checked.error();
+  if (const auto checked = detail::check_display(display); !checked) return checked.error();
+  const Result<Similarity> placed = detail::checked_transform(transform);
+  if (!placed) return placed.error();
+  Added added{document, document.next_object_id};
+  added.document.objects.push_back(std::make_shared<const Object>(
+      Object{added.id, std::move(name), true, false, *placed, display, std::move(source), {}}));
+  ++added.document.next_object_id.value;
+  return added;
+}
+
+Result<Document> append_document(const Document& document, const Document& other) {
+  if (!has_room(document, other.objects.size())) return too_many_objects();
+  Document result = document;
+  std::map<ObjectId, ObjectId> renamed;
+  for (const auto& object : other.objects) {
+    renamed[object->id] = result.next_object_id;
+    ++result.next_object_id.value;
+  }
+  for (const auto& object : other.objects) {
+    Object copy = *object;
+    copy.id = renamed[object->id];
+    if (auto* source = std::get_if<PolyhedronSource>(&copy.source); source && !source->attachments->empty()) {
+      Attachments attachments;
+      for (auto [edge, attachment] : *source->attachments) {
+        const auto found = renamed.find(attachment.patch);
+        attachment.patch = found == renamed.end() ? ObjectId{} : found->second;
+        attachments.set(edge, attachment);
+      }
+      source->attachments = std::move(attachments);
+    }
+    result.objects.push_back(std::make_shared<const Object>(std::move(copy)));
+  }
+  return result;
+}
+
+Result<Document> delete_objects(const Document& document, std::span<const ObjectId> objects) {
+  const std::map<ObjectId, const Object*> known = by_id(document);
+  for (const ObjectId id : objects) {
+    const auto found = known.find(id);
+    if (found == known.end()) return detail::unknown_object(id);
+    if (found->second->locked) return detail::locked_object(*found->second);
+  }
+  const std::set<ObjectId> chosen(objects.begin(), objects.end());
+  Document result = document;
+  std::vector<std::shared_ptr<const Object>> gone;
+  std::erase_if(result.objects, [&](const auto& object) {
+    if (!chosen.contains(object->id)) return false;
+    gone.push_back(object);
+    return true;
+  });
+  for (auto& object : result.objects) {
+    if (!object->polyhedron() || object->polyhedron()->attachments->empty()) continue;
+    Object changed = *object;
+    changed.source = frozen_source(*object, gone);
+    if (!(changed == *object)) object = std::make_shared<const Object>(std::move(changed));
+  }
+  return result;
+}
+
+Result<Document> reorder_objects(const Document& document, std::span<const ObjectId> objects,
+                                 std::size_t position) {
+  const std::map<ObjectId, const Object*> known = by_id(document);
+  for (const ObjectId id : objects)
+    if (!known.contains(id)) return detail::unknown_object(id);
+  const std::set<ObjectId> chosen(objects.begin(), objects.end());
+  const auto moves = [&](const auto& object) { return chosen.contains(object->id); };
+  const std::size_t place = std::min(position, document.objects.size());
+  const auto middle = document.objects.begin() + static_cast<std::ptrdiff_t>(place);
+  Document result = document;
+  result.objects.clear();
+  const auto copy = [&](auto first, auto last, bool moved) {
+    std::copy_if(first, last, std::back_inserter(result.objects),
+                 [&](const auto& object) { return moves(object) == moved; });
+  };
+  copy(document.objects.begin(), middle, false);
+  copy(document.objects.begin(), document.objects.end(), true);
+  copy(middle, document.objects.end(), false);
+  return result;
+}
+
+Result<Added> duplicate_object(const Document& document, ObjectId object) {
+  const auto original = std::find_if(document.objects.begin(), document.objects.end(),
+                                     [&](const auto& candidate) { return candidate->id == object; });
+  if (original == document.objects.end()) return detail::unknown_object(object);
+  if (!has_room(document, 1)) return too_many_objects();
+  Object copy = **original;
+  copy.id = document.next_object_id;
+  copy.name = free_name(document, copy.name);
+  copy.locked = false;
+  if (copy.polyhedron()) copy.source = frozen_source(**original, document.objects);
+  Added added{document, copy.id};
+  added.document.objects.insert(added.document.objects.begin() + (original - document.objects.begin()) + 1,
+                                std::make_shared<const Object>(std::move(copy)));
+  ++added.document.next_object_id.value;
+  return added;
+}
+
+std::string free_name(const Document& document, const std::string& name) {
+  std::set<std::string_view> taken;
+  for (const auto& object : document.objects) taken.insert(object->name);
+  if (!taken.contains(name)) return name;
+  const std::size_t digits = name.find_last_not_of("0123456789") + 1;
+  const bool numbered = digits < name.size() && digits > 1 && name[digits - 1] == ' ';
+  const std::string base = numbered ? name.substr(0, digits - 1) : name;
+  for (std::size_t number = 2;; ++number) {
+    std::string candidate = detail::name_with(base, " " + std::to_string(number));
+    if (!taken.contains(candidate)) return candidate;
+  }
+}
+
+Result<Document> rename_object(const Document& document, ObjectId object, std::string name) {
+  return detail::change_object(document, object, false, [&](Object& changed) -> Result<Done> {
+    if (const auto checked = check_name(name); !checked) return checked.error();
+    changed.name = std::move(name);
+    return Done{};
+  });
+}
+
+Result<Document> set_visible(const Document& document, ObjectId object, bool visible) {
+  return detail::change_object(document, object, false, [&](Object& changed) -> Result<Done> {
+    changed.visible = visible;
+    return Done{};
+  });
+}
+
+Result<Document> showing_only(const Document& document, std::span<const ObjectId> objects) {
+  const std::set<ObjectId> shown(objects.begin(), objects.end());
+  Document out = document;
+  for (auto& object : out.objects) {
+    if (object->visible == shown.contains(object->id)) continue;
+    Object changed = *object;
+    changed.visible = !changed.visible;
+    object = std::make_shared<const Object>(std::move(changed));
+  }
+  return out;
+}
+
+Result<Document> set_locked(const Document& document, ObjectId object, bool locked) {
+  return detail::change_object(document, object, false, [&](Object& changed) -> Result<Done> {
+    changed.locked = locked;
+    return Done{};
+  });
+}
+
+Result<Document> set_transform(const Document& document, ObjectId object, const Similarity& transform) {
+  return detail::change_object(document, object, true, [&](Object& changed) -> Result<Done> {
+    const Result<Similarity> placed = detail::checked_transform(transform);
+    if (!placed) return placed.error();
+    changed.transform = *placed;
+    return Done{};
+  });
+}
+
+Result<Document> set_display(const Document& document, ObjectId object, const DisplaySettings& display) {
+  return detail::change_object(document, object, false, [&](Object& changed) -> Result<Done> {
+    if (const auto checked = detail::check_display(display); !checked) return checked.error();
+    changed.display = display;
+    return Done{};
+  });
+}
+
+Document set_unit(const Document& document, Unit unit) {
+  Document changed = document;
+  changed.unit = unit;
+  return changed;
+}
+
+Result<Document> set_source(const Document& document, ObjectId object, Source source) {
+  return detail::change_object(document, object, true, [&](Object& changed) -> Result<Done> {
+    changed.source = std::move(source);
+    return Done{};
+  });
+}
+
+}  // namespace hariko

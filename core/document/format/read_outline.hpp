@@ -1,0 +1,31 @@
+#pragma once
+
+// Reading outlines from JSON: as parts of documents, and as separate files.
+
+#include <string_view>
+
+#include "core/document/format/json_cursor.hpp"
+#include "core/gaussmap/outlines/outline_settings.hpp"
+
+namespace hariko {
+
+/// Largest number of points of an outline, more than any drawn outline has; tests of convexity compare all
+/// pairs.
+inline constexpr std::size_t max_outline_points = 20000;
+
+/// Reads a separate outline file: {"loops": [{"points": [[x, y, z], ...], "normals": [...], "K": [...]}]}; K,
+/// the Gaussian curvature, is optional. Errors: E_LIMIT, E_PARSE, E_SCHEMA. `check_outline` checks the
+/// geometry.
+Result<Outline> read_outline(std::string_view text);
+
+namespace detail {
+
+/// Reads the loops within an object that may have other members.
+Outline read_loops(JsonReader& reader, const JsonCursor& at);
+
+/// Reads the settings beside the loops; every member is optional.
+OutlineSettings read_outline_settings(JsonReader& reader, const JsonCursor& at);
+
+}  // namespace detail
+
+}  // namespace hariko

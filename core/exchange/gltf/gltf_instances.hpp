@@ -1,0 +1,20 @@
+#pragma once
+
+// Instances of a mesh (the glTF extension EXT_mesh_gpu_instancing). Internal to core/exchange.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/exchange/gltf/gltf_buffers.hpp"
+#include "core/exchange/placement.hpp"
+
+namespace hariko {
+
+/// Placements of the instances relative to their node, read from the object `EXT_mesh_gpu_instancing`.
+/// Nothing, with an error noted, where it is faulty. O(instances).
+std::optional<std::vector<Placement>> gltf_instances(const nlohmann::json& instances,
+                                                     const std::string& place, GltfBuffers& buffers,
+                                                     GltfFields& fields, SceneCollector& collector);
+
+}  // namespace hariko

@@ -1,0 +1,128 @@
+#include "core/exchange/repair/clean_part.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "core/exchange/number_text.hpp"
+
+namespace hariko {
+
+namespace {
+
+std::string counted(std::size_t count, const char* one, const char* several) {
+  return std::to_string(count) + (count == 1 ? one : several);
+}
+
+/// Text of a non-negative length, three digits, rounded up: used as a tolerance, it still reaches as far.
+std::string length_text(double length) {
+  const auto digits = [](double value) {
+    std::array<char, 16> out{};
+    return std::string(out.data(),
+                       std::to_chars(out.begin(), out.end(), value, std::chars_format::general, 3).ptr);
+  };
+  std::string text = digits(length);
+  double told = 0;
+  if (parse_real(text, told) == NumberStatus::ok && told < length)
+    text = digits(length + 0.5 * std::pow(10.0, std::floor(std::log10(length)) - 2));
+  return text;
+}
+
+/// Replaces the part's mesh and renumbers its creases and corners.
+void take(TidyMesh tidy, ImportedPart& part) {
+  part.mesh = std::move(tidy.mesh);
+  const auto number = [&](Index v) { return v < tidy.vertex_of.size() ? tidy.vertex_of[v] : no_index; };
+  for (auto& [a, b] : part.creases) {
+    a = number(a);
+    b = number(b);
+  }
+  std::erase_if(part.creases, [](const auto& crease) { return crease[0] == crease[1]; });
+  for (Index& v : part.corners) v = number(v);
+}
+
+/// Removes vertices that only dropped faces used; vertices that no face used before stay.
+void remove_left_over(const std::vector<char>& used_before, ImportedPart& part) {
+  std::vector<char> used(part.mesh.positions.size(), 0);
+  for (const Index v : part.mesh.face_vertices)
+    if (v < used.size()) used[v] = 1;
+  TidyMesh out;
+  for (Index v = 0; v < used.size(); ++v) {
+    const bool keep = used[v] || v >= used_before.size() || !used_before[v];
+    out.vertex_of.push_back(keep ? static_cast<Index>(out.mesh.positions.size()) : no_index);
+    if (keep) out.mesh.positions.push_back(part.mesh.positions[v]);
+  }
+  if (out.mesh.positions.size() == used.size()) return;
+  out.mesh.face_offsets = part.mesh.face_offsets;
+  for (const Index v : part.mesh.face_vertices)
+    out.mesh.face_vertices.push_back(v < used.size() ? out.vertex_of[v] : v);
+  take(std::move(out), part);
+}
+
+}  // namespace
+
+void clean(ImportedPart& part, const JoinChoice& choice, CleanReport& report) {
+  const double usual = usual_joining_distance * used_size(part.mesh);
+  const double tolerance = choice.near ? choice.distance.value_or(usual) : usual;
+  report.tolerance = std::max(report.tolerance, tolerance);
+  std::vector<char> used(part.mesh.positions.size(), 0);
+  for (const Index v : part.mesh.face_vertices)
+    if (v < used.size()) used[v] = 1;
+  const auto join = [&](double distance) {
+    TidyMesh joined = join_corners(part.mesh, distance);
+    report.joined += joined.joined;
+    report.collapsed += joined.collapsed;
+    report.farthest = std::max(report.farthest, joined.farthest);
+    std::vector<char> now(joined.mesh.positions.size(), 0);
+    for (Index v = 0; v < used.size(); ++v)
+      if (used[v] && joined.vertex_of[v] != no_index) now[joined.vertex_of[v]] = 1;
+    used = std::move(now);
+    const std::size_t count = joined.joined;
+    take(std::move(joined), part);
+    return count;
+  };
+  join(0);
+  if (choice.near) {
+    report.near_joined += join(tolerance);
+  } else if (const NearCorners near = near_corners(part.mesh, tolerance); near.count > 0) {
+    report.near += near.count;
+    report.near_farthest = std::max(report.near_farthest, near.farthest);
+  }
+  TidyMesh flat = drop_flat_triangles(part.mesh);
+  report.flat += flat.flat;
+  take(std::move(flat), part);
+  if (report.flat + report.collapsed > 0) remove_left_over(used, part);
+}
+
+std::vector<Message> CleanReport::messages() const {
+  std::vector<Message> out;
+  if (joined > 0 && near_joined == 0)
+    out.push_back(make_warning(w_corners_joined,
+                               counted(joined, " corner at the same place as another one was joined with it.",
+                                       " corners at the same places as others were joined with them.")));
+  if (near_joined > 0)
+    out.push_back(make_warning(
+        w_corners_joined,
+        counted(joined, " corner was joined with another one", " corners were joined with others") + ", " +
+            std::to_string(near_joined) + " of them up to " + length_text(farthest) + " apart (tolerance " +
+            length_text(tolerance) + ")."));
+  if (near > 0)
+    out.push_back(make_warning(w_near_corners,
+                               counted(near, " corner lies nearly at the same place as another one",
+                                       " corners lie nearly at the same places as others") +
+                                   ", up to " + length_text(near_farthest) +
+                                   " apart: the surface is open between them.",
+                               "Join them while opening the file (--weld " + length_text(tolerance) + ")."));
+  if (collapsed > 0)
+    out.push_back(make_warning(w_degenerate_triangles,
+                               counted(collapsed, " face with corners at the same place was left out.",
+                                       " faces with corners at the same place were left out.")));
+  if (flat > 0)
+    out.push_back(make_warning(w_flat_triangles, counted(flat, " flat triangle along an edge was left out.",
+                                                         " flat triangles along edges were left out.")));
+  return out;
+}
+
+}  // namespace hariko

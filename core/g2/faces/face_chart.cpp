@@ -1,0 +1,376 @@
+#include "core/g2/faces/face_chart.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "core/base/assert.hpp"
+
+namespace hariko {
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+/// Distance from a vertex, in sides, below which its quadratic replaces the blend: the blend differs from it
+/// by the third order, and its second derivatives lose digits to the division by the square of the distance.
+constexpr double vertex_radius = 1e-6;
+/// Threshold of weights: a ribbon whose weight is below the cube of this is not evaluated.
+constexpr double cut_off = 1e-13;
+/// Least reach of a ribbon, in apothems, for sides far shorter than those beside them.
+constexpr double least_reach = 0.03;
+/// Reach of a ribbon, in apothems, per slenderness: in a quad, it is as long as the side.
+constexpr double longest_reach = 2;
+/// Largest slant of a ribbon, in lengths of its side.
+constexpr double bound = 0.5;
+
+int centre_degree(int n) {
+  return n <= 6 ? 4 : std::max(4, std::min(8, (n + 1) / 2));
+}
+
+/// Quintic Hermite functions for (value, first, second) at 0, then at 1, and t^3 (1 - t)^3.
+void quintic(double t, Derivatives (&out)[7]) {
+  const double a = 1 - t, t2 = t * t, t3 = t2 * t, a2 = a * a, a3 = a2 * a;
+  out[0] = {a3 * (1 + 3 * t + 6 * t2), -30 * t2 * a2, -60 * t * a * (1 - 2 * t), -60 * (1 - 6 * t * a)};
+  out[1] = {t * a3 * (1 + 3 * t), a2 * (1 - 3 * t) * (1 + 5 * t), t * a * (-36 + 60 * t),
+            -36 + 192 * t - 180 * t2};
+  out[2] = {0.5 * t2 * a3, 0.5 * t * a2 * (2 - 5 * t), 0.5 * a * (2 - 16 * t + 20 * t2),
+            -9 + 36 * t - 30 * t2};
+  out[3] = {t3 * (1 + 3 * a + 6 * a2), 30 * t2 * a2, 60 * t * a * (1 - 2 * t), 60 * (1 - 6 * t * a)};
+  // Derivative at 1 in the direction of increasing t.
+  out[4] = {-a * t3 * (1 + 3 * a), t2 * (1 - 3 * a) * (1 + 5 * a), -a * t * (-36 + 60 * a),
+            -36 + 192 * a - 180 * a2};
+  out[5] = {0.5 * a2 * t3, -0.5 * a * t2 * (2 - 5 * a), 0.5 * t * (2 - 16 * a + 20 * a2),
+            9 - 36 * a + 30 * a2};
+  out[6] = {t3 * a3, 3 * t2 * a2 * (1 - 2 * t), 6 * t * a * (1 - 5 * t * a),
+            6 * (1 - 2 * t) * (1 - 10 * t * a)};
+}
+
+/// Cubic Hermite functions, t^2 (1 - t)^2, and the latter times 2t - 1.
+void cubic(double t, Derivatives (&out)[6]) {
+  const double a = 1 - t, t2 = t * t, a2 = a * a, odd = 2 * t - 1;
+  out[0] = {a2 * (1 + 2 * t), -6 * t * a, -6 + 12 * t, 12};
+  out[1] = {t * a2, a * (1 - 3 * t), -4 + 6 * t, 6};
+  out[2] = {t2 * (1 + 2 * a), 6 * t * a, 6 - 12 * t, -12};
+  out[3] = {-a * t2, t * (1 - 3 * a), 4 - 6 * a, 6};
+  const double bump = t2 * a2, bump1 = 2 * t * a * (1 - 2 * t), bump2 = 2 - 12 * t * a, bump3 = 12 * odd;
+  out[4] = {bump, bump1, bump2, bump3};
+  out[5] = {bump * odd, bump1 * odd + 2 * bump, bump2 * odd + 4 * bump1, bump3 * odd + 6 * bump2};
+}
+
+/// Linear functions, t (1 - t), and the latter times 2t - 1.
+void linear(double t, Derivatives (&out)[4]) {
+  out[0] = {1 - t, -1, 0, 0};
+  out[1] = {t, 1, 0, 0};
+  const double bump = t * (1 - t), bump1 = 1 - 2 * t, odd = 2 * t - 1;
+  out[2] = {bump, bump1, -2, 0};
+  out[3] = {bump * odd, bump1 * odd + 2 * bump, -2 * odd + 4 * bump1, -12};
+}
+
+/// Bounded slant u (1 + (u/bound)^4)^(-1/4): equal to u near zero, never beyond the bound. A ribbon's slant
+/// must not grow with the distance from its side, since ribbons of long, slanting faces would be evaluated
+/// far beyond their ends.
+Derivatives bounded(double u) {
+  const double k = 1 / (bound * bound * bound * bound);
+  const double u2 = u * u, u3 = u2 * u, q = 1 + k * u2 * u2, root = 1 / std::sqrt(std::sqrt(q));
+  const double first = root / q;
+  return {u * root, first, -5 * k * u3 * (first / q),
+          (-15 * k * u2 + 45 * k * k * u3 * u3 / q) * (first / q)};
+}
+
+}  // namespace
+
+bool is_straight(double angle) {
+  return angle > pi - 1e-9;
+}
+
+FaceChart::FaceChart(std::vector<CornerShape> corners, const std::vector<int>& joined)
+    : corners_(std::move(corners)) {
+  const int n = sides();
+  HARIKO_ASSERT(n >= 3, "a face has three sides or more");
+  radius_ = 1 / (2 * std::sin(pi / n));
+  apothem_ = 1 / (2 * std::tan(pi / n));
+  full_reach_ = n == 3 ? 1.0 : std::min(1.0, 0.9 / apothem_);
+  degree_ = centre_degree(n);
+  departure_.assign(static_cast<std::size_t>(n), -1);
+  for (const int side : joined) {
+    departure_[std::size_t(side)] = first_departure_control() + departure_count_;
+    departure_count_ += side_departure_count;
+  }
+  for (int j = 0; j < n; ++j) {
+    const double turn = 2 * pi * j / n, middle = 2 * pi * (j + 0.5) / n;
+    vertices_.emplace_back(radius_ * std::cos(turn), radius_ * std::sin(turn));
+    normals_.emplace_back(-std::cos(middle), -std::sin(middle));
+    const CornerShape& at = corner(j);
+    HARIKO_ASSERT(at.angle > 0 && at.angle < pi + 1e-9, "a corner spans at most a half turn");
+    HARIKO_ASSERT(at.out > 0 && at.in > 0 && at.across_out > 0 && at.across_in > 0, "lengths are positive");
+    straight_.push_back(is_straight(at.angle));
+    cosine_.push_back(straight_.back() ? -1.0 : std::cos(at.angle));
+    sine_.push_back(straight_.back() ? 0.0 : std::sin(at.angle));
+  }
+  for (int k = 0; k < n; ++k)
+    reach_.push_back(std::min(full_reach_, std::max(least_reach, longest_reach * slenderness(k))));
+  for (int k = 0; k < n; ++k) {
+    std::vector<int> near;
+    for (int m = 0; m < n; ++m) {
+      const auto distance = [&](int corner) {
+        return 1 + normals_[std::size_t(m)].dot(vertex(corner)) / apothem_;
+      };
+      if (std::min(distance(k), distance((k + 1) % n)) < reach(m) - cut_off) near.push_back(m);
+    }
+    std::vector<bool> corner(static_cast<std::size_t>(n), false);
+    for (const int m : near) corner[std::size_t(m)] = corner[std::size_t((m + 1) % n)] = true;
+    std::vector<int> active;
+    for (int c = 0; c < n; ++c)
+      for (int i = 0; corner[std::size_t(c)] && i < corner_control_count; ++i)
+        active.push_back(corner_control_count * c + i);
+    for (const int m : near)
+      for (int i = 0; i < side_control_count; ++i) active.push_back(side_control(m, SideControl(i)));
+    for (int i = first_centre_control(); i < first_departure_control(); ++i) active.push_back(i);
+    for (const int m : near)
+      for (int i = 0; this->joined(m) && i < side_departure_count; ++i)
+        active.push_back(departure_control(m, SideDeparture(i)));
+    near_sides_.push_back(std::move(near));
+    active_.push_back(std::move(active));
+  }
+}
+
+double FaceChart::area() const {
+  return 0.5 * sides() * apothem_;
+}
+
+template <class Jet>
+FaceChart::CornerPoint<Jet> FaceChart::in_corner(int corner, const Vector2& point) const {
+  const int n = sides();
+  const Vector2 &v = vertex(corner), forward = vertex((corner + 1) % n) - v,
+                back = vertex((corner + n - 1) % n) - v;
+  const auto along = [&](const Vector2& axis, const Vector2& other) {
+    const double determinant = axis.x() * other.y() - axis.y() * other.x();
+    const double ax = other.y() / determinant, ay = -other.x() / determinant;
+    return Jet::linear(ax * (point.x() - v.x()) + ay * (point.y() - v.y()), ax, ay);
+  };
+  return {along(forward, back), along(back, forward)};
+}
+
+/// Length of a side relative to the width across it, the extent of the sides beside it; the smaller ratio of
+/// both ends.
+double FaceChart::slenderness(int side) const {
+  const int b = (side + 1) % sides();
+  const CornerShape &at = corner(side), &to = corner(b);
+  const double first = straight(side) ? 1 : at.out / (at.in * sine(side));
+  return std::min(first, straight(b) ? 1 : to.in / (to.out * sine(b)));
+}
+
+double FaceChart::regular_cosine() const {
+  return -std::cos(2 * pi / sides());
+}
+
+double FaceChart::rise_out(int j) const {
+  const CornerShape& at = corner(j);
+  return (straight(j) ? at.out : at.in * sine(j)) / at.across_out;
+}
+
+double FaceChart::rise_in(int j) const {
+  const CornerShape& at = corner(j);
+  return (straight(j) ? at.in : at.out * sine(j)) / at.across_in;
+}
+
+template <class Jet>
+FaceChart::CornerMap<Jet> FaceChart::outgoing(int j, const Vector2& point) const {
+  const auto [alpha, beta] = in_corner<Jet>(j, point);
+  if (straight(j)) return {alpha - beta, 2 * rise_out(j) * (alpha * beta * reciprocal(alpha + beta))};
+  const double square = regular_cosine(), slant = corner(j).in / corner(j).out * cosine(j) - square;
+  return {alpha + square * beta + compose(bounded(slant * beta.v), slant * beta), rise_out(j) * beta};
+}
+
+template <class Jet>
+FaceChart::CornerMap<Jet> FaceChart::incoming(int j, const Vector2& point) const {
+  const auto [alpha, beta] = in_corner<Jet>(j, point);
+  const Jet one = Jet::constant(1);
+  if (straight(j)) return {one - (beta - alpha), 2 * rise_in(j) * (alpha * beta * reciprocal(alpha + beta))};
+  const double square = regular_cosine(), slant = corner(j).out / corner(j).in * cosine(j) - square;
+  return {one - (beta + square * alpha + compose(bounded(slant * alpha.v), slant * alpha)),
+          rise_in(j) * alpha};
+}
+
+template <class Jet>
+void FaceChart::vertex_jet(int j, const Vector2& point, std::vector<Jet>& all) const {
+  const auto [alpha, beta] = in_corner<Jet>(j, point);
+  const CornerShape& at = corner(j);
+  // A straight corner's map is not differentiable at the corner: its derivative along the diagonal replaces
+  // it, which leaves the tangent plane and the curvature unchanged.
+  const Jet y1 = straight(j) ? at.out * (alpha - beta) : at.out * alpha + (at.in * cosine(j)) * beta;
+  const Jet y2 = straight(j) ? (0.5 * at.out) * (alpha + beta) : (at.in * sine(j)) * beta;
+  const auto set = [&](CornerControl which, const Jet& jet) {
+    all[std::size_t(corner_control(j, which))] = jet;
+  };
+  set(corner_p, Jet::constant(1));
+  set(corner_g1, y1);
+  set(corner_g2, y2);
+  set(corner_g11, 0.5 * (y1 * y1));
+  set(corner_g12, y1 * y2);
+  set(corner_g22, 0.5 * (y2 * y2));
+}
+
+template <class Jet>
+void FaceChart::add_ribbon(int side, const Vector2& point, const Jet& weight, Room<Jet>& room) const {
+  const int n = sides(), a = side, b = (side + 1) % n;
+  const CornerMap<Jet> out = outgoing<Jet>(a, point), in = incoming<Jet>(b, point);
+  const Jet &before = room.distance[std::size_t((side + n - 1) % n)], &after = room.distance[std::size_t(b)];
+  const Jet tau = before * reciprocal(before + after);
+  const Jet blend = compose(
+      Derivatives{(3 - 2 * tau.v) * tau.v * tau.v, 6 * tau.v * (1 - tau.v), 6 - 12 * tau.v, -12}, tau);
+  const Jet t = out.t + blend * (in.t - out.t);
+  const Jet s = out.s + blend * (in.s - out.s);
+
+  Derivatives r0[7], r1[6], r2[4];
+  quintic(t.v, r0);
+  cubic(t.v, r1);
+  linear(t.v, r2);
+  const Jet once = weight * s, twice = 0.5 * (once * s);
+  Jet f0[7], f1[6], f2[4];
+  for (int i = 0; i < 7; ++i) f0[i] = weight * compose(r0[i], t);
+  for (int i = 0; i < 6; ++i) f1[i] = once * compose(r1[i], t);
+  for (int i = 0; i < 4; ++i) f2[i] = twice * compose(r2[i], t);
+
+  std::vector<Jet>& all = room.all;
+  const auto at = [&](int corner, CornerControl which) -> Jet& {
+    return all[std::size_t(corner_control(corner, which))];
+  };
+  const double la = corner(a).out, sa = corner(a).across_out, lb = corner(b).in, sb = corner(b).across_in;
+  at(a, corner_p) += f0[0];
+  at(a, corner_g1) += la * f0[1];
+  at(a, corner_g11) += (la * la) * f0[2];
+  at(a, corner_g2) += sa * f1[0];
+  at(a, corner_g12) += (sa * la) * f1[1];
+  at(a, corner_g22) += (sa * sa) * f2[0];
+  // Derivatives at b in the frame of the edge that closes the corner, seen from b.
+  const double c = cosine(b), d = sine(b);
+  const Jet g1 = -lb * f0[4], g11 = (lb * lb) * f0[5], g2 = -sb * f1[2], g12 = (sb * lb) * f1[3],
+            g22 = (sb * sb) * f2[1];
+  at(b, corner_p) += f0[3];
+  at(b, corner_g1) += c * g1 - d * g2;
+  at(b, corner_g2) += d * g1 + c * g2;
+  at(b, corner_g11) += (c * c) * g11 - (c * d) * g12 + (d * d) * g22;
+  at(b, corner_g12) += (2 * c * d) * g11 + (c * c - d * d) * g12 - (2 * c * d) * g22;
+  at(b, corner_g22) += (d * d) * g11 + (c * d) * g12 + (c * c) * g22;
+  const auto own = [&](SideControl which) -> Jet& { return all[std::size_t(side_control(side, which))]; };
+  own(side_e0) = f0[6];
+  own(side_e1) = f1[4];
+  own(side_e1_odd) = f1[5];
+  own(side_e2) = f2[2];
+  own(side_e2_odd) = f2[3];
+  if (!joined(side)) return;
+  const auto departs = [&](SideDeparture which) -> Jet& {
+    return all[std::size_t(departure_control(side, which))];
+  };
+  departs(departs_curve_a) = f0[2];
+  departs(departs_cross_a) = f1[1];
+  departs(departs_curve_b) = f0[5];
+  departs(departs_cross_b) = f1[3];
+}
+
+template <class Jet>
+void FaceChart::add_centre(const Vector2& point, const Jet& weight, std::vector<Jet>& all) const {
+  const double unit = 1 / radius_;
+  const Jet x = Jet::linear(point.x() * unit, unit, 0), y = Jet::linear(point.y() * unit, 0, unit);
+  auto k = static_cast<std::size_t>(first_centre_control());
+  all[k] = weight;
+  std::size_t row = k;  // x^degree y^0 comes first in each degree
+  for (int degree = 1; degree <= degree_; ++degree) {
+    const std::size_t next = row + static_cast<std::size_t>(degree);
+    for (int i = 0; i < degree; ++i) all[next + std::size_t(i)] = x * all[row + std::size_t(i)];
+    all[next + std::size_t(degree)] = y * all[row + std::size_t(degree) - 1];
+    row = next;
+  }
+}
+
+template <class Jet>
+void FaceChart::basis(int side, const Vector2& point, std::span<Jet> out, Room<Jet>& room) const {
+  const int n = sides();
+  const std::vector<int>& active = active_[std::size_t(side)];
+  std::vector<Jet>& all = room.all;
+  all.resize(std::size_t(control_count()));
+  for (const int k : active) all[std::size_t(k)] = Jet{};
+  const auto copy = [&] {
+    for (std::size_t i = 0; i < active.size(); ++i) out[i] = all[std::size_t(active[i])];
+  };
+  for (const int corner : {side, (side + 1) % n})
+    if ((point - vertex(corner)).squaredNorm() < vertex_radius * vertex_radius) {
+      vertex_jet(corner, point, all);
+      return copy();
+    }
+
+  std::vector<Jet>& distance = room.distance;
+  distance.resize(std::size_t(n));
+  const auto set_distance = [&](int m) {
+    const Vector2 slope = normals_[std::size_t(m)] / apothem_;
+    distance[std::size_t(m)] = Jet::linear(1 + slope.dot(point), slope.x(), slope.y());
+  };
+  const std::vector<int>& near = near_sides_[std::size_t(side)];
+  constexpr int most_reached = 24;
+  int reached[most_reached];
+  int count = 0;
+  for (const int m : near) {
+    for (const int k : {(m + n - 1) % n, m, (m + 1) % n}) set_distance(k);
+    if (!(distance[std::size_t(m)].v < reach(m) - cut_off)) continue;
+    HARIKO_ASSERT(count < most_reached, "few ribbons reach a point");
+    reached[count++] = m;
+  }
+  // Weights w_m ~ (1 - d_m / reach)^3 prod_(k != m) d_k^3, and prod_k d_k^3 for the centre; factors of sides
+  // out of reach cancel.
+  Jet weight[most_reached], centre = Jet::constant(1), sum = Jet::constant(0);
+  for (int i = 0; i < count; ++i) {
+    Jet product = cube(Jet::constant(1) - (1 / reach(reached[i])) * distance[std::size_t(reached[i])]);
+    for (int k = 0; k < count; ++k)
+      if (k != i) product = product * cube(distance[std::size_t(reached[k])]);
+    weight[i] = product;
+    centre = centre * cube(distance[std::size_t(reached[i])]);
+    sum += product;
+  }
+  sum += centre;
+  const Jet share = reciprocal(sum);
+  for (int i = 0; i < count; ++i) add_ribbon(reached[i], point, weight[i] * share, room);
+  add_centre(point, centre * share, all);
+  copy();
+}
+template void FaceChart::basis(int, const Vector2&, std::span<Jet2>, Room<Jet2>&) const;
+template void FaceChart::basis(int, const Vector2&, std::span<Jet3>, Room<Jet3>&) const;
+
+FaceChart::Curve FaceChart::curve(double t) {
+  Derivatives r0[7];
+  quintic(t, r0);
+  Curve out;
+  for (int i = 0; i < 7; ++i) {
+    const double sign = i == 4 ? -1 : 1;  // g1 at b points back along the edge
+    out.value[i] = sign * r0[i].v;
+    out.first[i] = sign * r0[i].d;
+    out.second[i] = sign * r0[i].dd;
+  }
+  return out;
+}
+
+std::array<int, FaceChart::curve_control_count> FaceChart::curve_controls(int side) const {
+  const int a = side, b = (side + 1) % sides();
+  return {corner_control(a, corner_p),   corner_control(a, corner_g1),  corner_control(a, corner_g11),
+          corner_control(b, corner_p),   corner_control(b, corner_g1),  corner_control(b, corner_g2),
+          corner_control(b, corner_g11), corner_control(b, corner_g12), corner_control(b, corner_g22),
+          side_control(side, side_e0)};
+}
+
+std::array<double, FaceChart::curve_control_count> FaceChart::spread_curve(int side,
+                                                                           const double (&seven)[7]) const {
+  const int b = (side + 1) % sides();
+  const double c = cosine(b), d = sine(b), la = corner(side).out, lb = corner(b).in, square = lb * lb;
+  return {seven[0],
+          la * seven[1],
+          la * la * seven[2],
+          seven[3],
+          lb * c * seven[4],
+          lb * d * seven[4],
+          square * c * c * seven[5],
+          square * 2 * c * d * seven[5],
+          square * d * d * seven[5],
+          seven[6]};
+}
+
+}  // namespace hariko
