@@ -19,7 +19,7 @@
 #include "core/document/format/read_outline.hpp"
 #include "core/document/format/read_skin.hpp"
 #include "core/document/format/read_solids.hpp"
-#include "core/exchange/gltf/detect_json_format.hpp"
+#include "core/exchange/detect_json_format.hpp"
 #include "core/exchange/imported_mesh.hpp"
 #include "core/exchange/mesh_file.hpp"
 #include "core/exchange/read_patches.hpp"

@@ -13,8 +13,8 @@ namespace hariko {
 enum class JsonKind { document, patches, scene, skin, outline, keys, layout };
 
 /// Kind of a JSON text: by its member "format", by objects with "ctrl" for patches, otherwise by its
-/// top-level members. Kinds are entries of a table (json_kind.cpp). Errors: E_PARSE where the text is not
-/// JSON; E_FORMAT_UNKNOWN, listing the kinds that this program takes, where no kind matches. O(size).
+/// top-level members. Kinds are entries of a table (detect_json_format.cpp). Errors: E_PARSE where the text
+/// is not JSON; E_FORMAT_UNKNOWN, listing the kinds that this program takes, where no kind matches. O(size).
 Result<JsonKind> json_kind(std::string_view text);
 
 /// Name of a kind in messages: "key bindings".
