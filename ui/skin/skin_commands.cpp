@@ -13,6 +13,7 @@
 #include "ui/skin/draw_skin_tool.hpp"
 #include "ui/skin/skin_commands.hpp"
 #include "ui/skin/slide_section_tool.hpp"
+#include "ui/view/viewport.hpp"
 #include "ui/widgets/command_services.hpp"
 
 namespace hariko {
