@@ -105,6 +105,15 @@ TEST(SectionStarts, SectionsThatRunTheOtherWayAreTurned) {
   }
 }
 
+TEST(SectionStarts, AChosenStartStaysFirstWhenItsSectionIsTurned) {
+  Skin skin = tube({0, 0});
+  std::reverse(skin.sections[1].points.begin(), skin.sections[1].points.end());
+  skin.sections[1].start_chosen = true;
+  const SkinSection turned = turn_sections(skin).sections[1];
+  EXPECT_EQ(turned.points.front(), skin.sections[1].points.front());
+  EXPECT_EQ(turned.points[1], skin.sections[1].points.back());
+}
+
 TEST(SectionStarts, AClosedPathMatchesItsLastSectionToTheFirst) {
   const auto ring = [](const std::vector<double>& begins) {
     Skin skin;

@@ -62,7 +62,9 @@ Skin turn_sections(Skin skin) {
       const double straight = gap(*before, at_before, section, at, false);
       turn = gap(*before, at_before, section, at, true) < 0.99 * straight;
     }
-    if (turn && !section.direction_chosen) std::reverse(section.points.begin(), section.points.end());
+    // A start that the designer has chosen stays the first point.
+    const auto first = section.points.begin() + (section.closed && section.start_chosen ? 1 : 0);
+    if (turn && !section.direction_chosen) std::reverse(first, section.points.end());
     before = &section;
   }
   return skin;
