@@ -3,11 +3,12 @@
 #   ./test.sh          one optimised build with assertions; the tests labelled core and window, but for those of the
 #                      window labelled long
 #   ./test.sh --core   the same build, and the tests labelled core only
-#   ./test.sh --full   also: formatting before, those labelled long and full, long random runs with a fresh seed (set
-#                      HARIKO_SEED to repeat one), the sanitizer build with the core tests, with anything that can be
-#                      done by commands and with two minutes of a monkey at the window, a minute of every fuzzer, and
-#                      program and core tests on a bare Debian 13 (needs to be root)
-# Stops at the first step that fails. Window tests start an X server of their own.
+#   ./test.sh --full   also: formatting before, those labelled long and full, the core tests as long random runs with a
+#                      fresh seed (set HARIKO_SEED to repeat one), the sanitizer build with the core tests, with anything
+#                      that can be done by commands and with two minutes of a monkey at the window, a minute of every
+#                      fuzzer, and program and core tests on a bare Debian 13 (needs to be root). About two hours.
+# Stops at the first step that fails; --full goes on after a failure and names the steps that failed at its end. Window
+# tests start an X server of their own.
 set -euo pipefail
 
 full=no core_only=no
@@ -112,27 +113,31 @@ long_random_tests() {
     ctest --test-dir build/release -L core -LE full --output-on-failure --no-tests=error -j2
 }
 
+# The tests first: as root they fill the compiler cache, which the second root may read.
 bare_debian_13() {
-  step "A bare Debian 13: the program, for a user with sudo"
-  scripts/bare_machine.sh --ccache --user trixie ./run.sh info assets/samples/fig2.hariko
   step "A bare Debian 13: the core tests"
   scripts/bare_machine.sh --ccache trixie ./test.sh --core
+  step "A bare Debian 13: the program, for a user with sudo"
+  scripts/bare_machine.sh --ccache --user trixie ./run.sh info assets/samples/fig2.hariko
 }
 
-if [ $full = yes ]; then
-  scripts/dependencies.sh build cad test full bare
-  check_formatting
-else
+if [ $full = no ]; then
   scripts/dependencies.sh build cad test
+  build release -DHARIKO_TESTS=ON
+  core_tests
+  if [ $core_only = no ]; then window_tests; fi
+  exit 0
 fi
-build release -DHARIKO_TESTS=ON
-core_tests
-if [ $core_only = yes ]; then exit 0; fi
-window_tests
-if [ $full = yes ]; then
-  full_tests
-  long_random_tests
-  sanitizer_tests
-  fuzz
-  bare_debian_13
-fi
+
+scripts/dependencies.sh build cad test full bare
+failed=()
+# In a shell of its own, so that the first failing command ends the step.
+for this in check_formatting "build release -DHARIKO_TESTS=ON" window_tests full_tests long_random_tests sanitizer_tests \
+  fuzz bare_debian_13; do
+  set +e
+  (set -e; $this)
+  [ $? -eq 0 ] || failed+=("$this")
+  set -e
+done
+step "Failed: ${failed[*]:-nothing}"
+[ ${#failed[@]} -eq 0 ]
