@@ -110,7 +110,8 @@ TEST(NetDistance, BoundsHoldAndAreTight) {
     EXPECT_LE(distance.sampled(), range.bound);
     EXPECT_GE(distance.sampled(), 0.6 * truth);
     // The decision: certain where it says yes, and no only where the truth is near the tolerance or beyond.
-    for (const double factor : {0.5, 0.9, 1.05, 1.5, 3.0}) {
+    // It cuts two levels less than the measure, whose bound is 3% off at most: the gap is four times that.
+    for (const double factor : {0.5, 0.9, 1.15, 1.5, 3.0}) {
       const double bound = distance.decide(factor * truth);
       const bool within = bound <= factor * truth;
       EXPECT_EQ(within, factor > 1) << factor;

@@ -186,9 +186,16 @@ void Gizmo::place_plane(const Projector& projector) {
 }
 
 std::optional<GizmoHandle> Gizmo::hit(const Vector2& pixel) const {
+  // Arcs are long: they give way to the small handles that lie over them.
+  const auto small = nearest(pixel, false);
+  return small ? small : nearest(pixel, true);
+}
+
+std::optional<GizmoHandle> Gizmo::nearest(const Vector2& pixel, bool arcs) const {
   std::optional<GizmoHandle> best;
   double least = hit_radius * scale_;
   for (const Shape& shape : shapes_) {
+    if ((shape.handle.kind == TransformKind::rotate) != arcs) continue;
     // Seen at a slant squares reach under arrows: the line itself wins there.
     if (const double within = hit_radius / 2 * scale_;
         shape.closed && within < least && inside_polygon(shape.line, pixel)) {

@@ -46,6 +46,8 @@ class Gizmo final : public ViewLayer {
     double distance(const Vector2& pixel) const;
     bool reaches(const Vector2& pixel, double radius) const;
   };
+  /// The handle whose line is nearest, among arcs or among all others.
+  std::optional<GizmoHandle> nearest(const Vector2& pixel, bool arcs) const;
   void place(const Editor& editor);
   void place_plane(const Projector& projector);
   void leave_out_covered();
