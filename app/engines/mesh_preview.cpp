@@ -17,7 +17,7 @@ namespace hariko {
 
 namespace {
 
-constexpr int histogram_bins = 40;
+constexpr int preview_bins = 40;
 constexpr double to_degrees = 180 / std::numbers::pi;
 /// Numbers of facets above which fewer samples are taken along a facet's side: finer detail is not visible.
 constexpr std::size_t many_facets = 4000, most_facets = 20'000;
@@ -81,7 +81,7 @@ MeshErrors errors_of(const Surface& facets, const MeshErrorMap& map, int density
       (*values)[f * count + i] = value > limit ? std::numeric_limits<float>::quiet_NaN() : value;
     }
   }
-  out.histogram = histogram(all, out.range, histogram_bins);
+  out.histogram = histogram(all, out.range, preview_bins);
   DisplayOptions options;
   options.density = density;
   options.map = [values](const Surface&, std::span<const Index> patches, const GridPattern& pattern,

@@ -8,7 +8,7 @@ namespace hariko {
 namespace {
 
 /// Greatest depth of halvings, slightly more than three levels of quarters.
-constexpr int deepest = 8;
+constexpr int deepest_cut = 8;
 /// Bounds larger than this many tolerances are not refined: bounds of whole nets are about 1.2 times the true
 /// value.
 constexpr double hopeless = 2;
@@ -74,7 +74,7 @@ void NetDistance::halve(const Vector3* points, const Sides& sides, Piece& first,
 double NetDistance::decide(double tolerance) {
   const double bound = bound_of(net_.points, sides_);
   if (bound <= tolerance || bound > hopeless * tolerance) return bound;
-  const double inner = within(net_.points, sides_, tolerance, deepest);
+  const double inner = within(net_.points, sides_, tolerance, deepest_cut);
   return inner <= tolerance ? inner : bound;
 }
 
@@ -108,7 +108,7 @@ double NetDistance::sampled() const {
 NetDistance::Range NetDistance::measure() {
   Range out;
   out.sampled = sampled();
-  out.bound = narrowed(net_.points, sides_, bound_of(net_.points, sides_), deepest + 2, out.sampled);
+  out.bound = narrowed(net_.points, sides_, bound_of(net_.points, sides_), deepest_cut + 2, out.sampled);
   out.bound = std::max(out.bound, out.sampled);
   return out;
 }

@@ -4,15 +4,13 @@
 #include <charconv>
 #include <cmath>
 
+#include "core/base/text/utf8.hpp"
+
 namespace hariko {
 namespace {
 
 constexpr double powers_of_ten[] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8,  1e9,  1e10, 1e11,
                                     1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
-
-bool is_digit(char c) {
-  return c >= '0' && c <= '9';
-}
 
 /// Parses plain decimals such as -12.345: both the digits (up to 15) and the power of ten are exact doubles,
 /// so one division rounds correctly (Clinger 1990). False where that does not apply.

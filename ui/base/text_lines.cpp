@@ -1,6 +1,8 @@
 #include "ui/base/text_lines.hpp"
 
 #include <imgui_internal.h>
+#include <array>
+#include <ctime>
 
 #include <algorithm>
 
@@ -101,6 +103,14 @@ std::string in_lines(std::string_view text, float width, std::size_t most) {
 void text_in_lines(std::string_view text, float right) {
   const float room = right > 0 ? right - ImGui::GetCursorPosX() : ImGui::GetContentRegionAvail().x;
   ImGui::TextUnformatted(in_lines(text, std::max(room, 1.0F)).c_str());
+}
+
+std::string local_time_text(std::int64_t unix_seconds) {
+  const auto time = static_cast<std::time_t>(unix_seconds);
+  std::tm local{};
+  if (!::localtime_r(&time, &local)) return {};
+  std::array<char, 32> text{};
+  return {text.data(), std::strftime(text.data(), text.size(), "%Y-%m-%d %H:%M", &local)};
 }
 
 }  // namespace hariko

@@ -2,6 +2,7 @@
 
 // Text in lines: where sentences may be broken, also in Japanese, which has no spaces.
 
+#include <cstdint>
 #include <functional>
 #include <string>
 #include <string_view>
@@ -25,5 +26,8 @@ void text_in_lines(std::string_view text, float right = 0);
 /// The lines joined again, for where ImGui draws the text: a tooltip, a label of a card. At most `most`
 /// lines, of which the last one ends with an ellipsis where something is left out.
 std::string in_lines(std::string_view text, float width, std::size_t most = 100);
+
+/// "2026-11-21 07:30" in local time.
+std::string local_time_text(std::int64_t unix_seconds);
 
 }  // namespace hariko

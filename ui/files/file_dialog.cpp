@@ -9,6 +9,7 @@
 #include "core/base/files/file_ending.hpp"
 #include "ui/base/file_formats.hpp"
 #include "ui/base/icons.hpp"
+#include "ui/base/text_lines.hpp"
 #include "ui/files/export_text.hpp"
 #include "ui/widgets/overlay_window.hpp"
 #include "ui/widgets/tips.hpp"

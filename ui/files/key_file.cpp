@@ -10,7 +10,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr const char* format_name = "hariko-keys";
+constexpr const char* key_format = "hariko-keys";
 constexpr int version = 1;
 
 Message refused(const char* sentence) {
@@ -21,13 +21,13 @@ Message refused(const char* sentence) {
 }  // namespace
 
 std::string write_key_file(const KeyOverrides& keys) {
-  const Json json{{"format", format_name}, {"version", version}, {"keys", keys}};
+  const Json json{{"format", key_format}, {"version", version}, {"keys", keys}};
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 Result<KeyOverrides> read_key_file(std::string_view text) {
   const Json json = Json::parse(text, nullptr, false);
-  if (!json.is_object() || json.value("format", Json()) != format_name)
+  if (!json.is_object() || json.value("format", Json()) != key_format)
     return refused(translatable("This is not a file of keys."));
   if (json.value("version", Json()) != version)
     return refused(translatable("This file of keys was written by another version of Hariko."));

@@ -8,7 +8,7 @@ namespace hariko {
 
 namespace {
 
-constexpr double edge_reach = 5;  // design pixels
+constexpr double hover_reach = 5;  // design pixels
 
 class PaperLayer final : public ViewLayer {
  public:
@@ -16,7 +16,7 @@ class PaperLayer final : public ViewLayer {
     const PaperSolid* paper = context.scene.paper();
     if (!paper) return false;
     const Editor& editor = context.editor;
-    const double reach = edge_reach * editor.pixel_scale * editor.camera().pixel_length(editor.viewport);
+    const double reach = hover_reach * editor.pixel_scale * editor.camera().pixel_length(editor.viewport);
     context.editor.paper.hovered = paper_under(*paper, context.projector().ray(pixel), reach);
     here_ = true;
     return true;

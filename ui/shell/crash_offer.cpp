@@ -1,4 +1,5 @@
 #include "ui/shell/crash_offer.hpp"
+#include "ui/base/text_lines.hpp"
 
 #include "ui/base/icons.hpp"
 #include "ui/shell/offers_panel.hpp"

@@ -5,6 +5,7 @@
 #include <ctime>
 
 #include "ui/base/icons.hpp"
+#include "ui/base/text_lines.hpp"
 #include "ui/shell/crash_offer.hpp"
 #include "ui/widgets/card_focus.hpp"
 #include "ui/widgets/sample_cards.hpp"
@@ -107,14 +108,6 @@ bool recent_card(PanelContext& context, const RecentFile& file, ImVec2 size) {
 }
 
 }  // namespace
-
-std::string local_time_text(std::int64_t unix_seconds) {
-  const auto time = static_cast<std::time_t>(unix_seconds);
-  std::tm local{};
-  if (!::localtime_r(&time, &local)) return {};
-  std::array<char, 32> text{};
-  return {text.data(), std::strftime(text.data(), text.size(), "%Y-%m-%d %H:%M", &local)};
-}
 
 /// The place of a card whose offer is still being read, or was none.
 void empty_card(PanelContext& context, std::size_t number, float width) {

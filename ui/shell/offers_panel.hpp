@@ -7,9 +7,6 @@
 
 namespace hariko {
 
-/// "2026-11-21 07:30" in local time.
-std::string local_time_text(std::int64_t unix_seconds);
-
 /// A card for each work to recover, below the cursor and `width` wide. Nothing when there is none.
 void draw_recovery_offers(PanelContext& context, float width);
 /// Cards of recent files in rows, below the cursor and `width` wide. `most`: how many. True when one was

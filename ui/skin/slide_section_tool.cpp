@@ -14,7 +14,7 @@ namespace hariko {
 
 namespace {
 
-constexpr double snap_reach = 8;  // design pixels
+constexpr double slide_reach = 8;  // design pixels
 
 class SlideSectionTool final : public Tool {
  public:
@@ -92,7 +92,7 @@ class SlideSectionTool final : public Tool {
     if (!place) return v_;
     double v = from_ + *place - grip_;
     if (skin_.path.closed) v -= std::floor(v);
-    double least = snap_reach * context.editor.pixel_scale;
+    double least = slide_reach * context.editor.pixel_scale;
     const auto here = pixel_of(object, projector, evaluate(skin_.path, v).position);
     for (int i = 0; i < skin_.path.size() && !free && here; ++i) {
       const double u = skin_.path.parameter(i);

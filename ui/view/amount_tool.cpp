@@ -17,7 +17,7 @@ namespace hariko {
 
 namespace {
 
-constexpr double fine_share = 0.1;
+constexpr double fine_amount = 0.1;
 /// How near a drag comes to the amount at which something would shrink to nothing.
 constexpr double nearly_all = 0.98;
 
@@ -95,7 +95,7 @@ class AmountTool final : public Tool {
       from_ = at_ = pointer_ = event.pixel;
       return;
     }
-    at_ += (fine_ && !stepped_ ? fine_share : 1) * (event.pixel - pointer_);
+    at_ += (fine_ && !stepped_ ? fine_amount : 1) * (event.pixel - pointer_);
     pointer_ = event.pixel;
   }
 

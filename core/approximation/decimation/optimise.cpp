@@ -19,7 +19,7 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 /// 35 degrees: largest turn of normals at the corners of a facet that a change may make
-constexpr double most_turn = 0.61;
+constexpr double most_normal_turn = 0.61;
 constexpr int cycles = 6, sweeps_a_cycle = 3, flip_sweeps = 8;
 /// Budget of facet errors at which the search ends in any case: about a minute.
 constexpr std::size_t most_judgements = 12'000'000;
@@ -142,7 +142,7 @@ class Optimiser {
       std::array<Vector3, 3> at;
       sampler_.normals(mesh_.facets[f].patch, mesh_.facets[f].parameter, at);
       for (const Vector3& n : at)
-        if (n.dot(normal) < std::cos(most_turn)) return true;
+        if (n.dot(normal) < std::cos(most_normal_turn)) return true;
     }
     return false;
   }

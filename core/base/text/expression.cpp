@@ -9,6 +9,8 @@
 #include <numbers>
 #include <string>
 
+#include "core/base/text/utf8.hpp"
+
 namespace hariko {
 
 namespace {
@@ -21,9 +23,6 @@ Message failed(std::string text) {
   return make_error(e_expression, std::move(text), "Type a number such as 12.5, 12mm+3 or 2*pi.");
 }
 
-bool is_digit(char c) {
-  return c >= '0' && c <= '9';
-}
 bool is_letter(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
 }

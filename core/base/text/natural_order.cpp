@@ -2,13 +2,11 @@
 
 #include <cstddef>
 
+#include "core/base/text/utf8.hpp"
+
 namespace hariko {
 
 namespace {
-
-bool is_digit(char c) {
-  return c >= '0' && c <= '9';
-}
 
 unsigned char lower(char c) {
   return static_cast<unsigned char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);

@@ -9,4 +9,9 @@ namespace hariko {
 /// 3-7). `text` is not empty.
 std::size_t utf8_length(std::string_view text);
 
+/// Whether a byte is one of 0 to 9, whatever the locale.
+constexpr bool is_digit(char c) {
+  return c >= '0' && c <= '9';
+}
+
 }  // namespace hariko

@@ -19,13 +19,13 @@
 namespace hariko {
 namespace {
 
-struct LengthUnit {
+struct WrittenUnit {
   double metres;
   const char* name;
 };
-constexpr std::array units{LengthUnit{1e-6, "micron"},     LengthUnit{1e-3, "millimeter"},
-                           LengthUnit{1e-2, "centimeter"}, LengthUnit{0.0254, "inch"},
-                           LengthUnit{0.3048, "foot"},     LengthUnit{1, "meter"}};
+constexpr std::array units{WrittenUnit{1e-6, "micron"},     WrittenUnit{1e-3, "millimeter"},
+                           WrittenUnit{1e-2, "centimeter"}, WrittenUnit{0.0254, "inch"},
+                           WrittenUnit{0.3048, "foot"},     WrittenUnit{1, "meter"}};
 
 constexpr const char* content_types =
     R"(<?xml version="1.0" encoding="UTF-8"?>
@@ -79,7 +79,7 @@ bool is_closed(const Triangles& triangles) {
 class ModelText {
  public:
   explicit ModelText(double metres_per_unit) {
-    const auto* unit = std::find_if(units.begin(), units.end(), [&](const LengthUnit& u) {
+    const auto* unit = std::find_if(units.begin(), units.end(), [&](const WrittenUnit& u) {
       return std::abs(metres_per_unit - u.metres) <= 1e-12 * u.metres;
     });
     if (unit == units.end()) {

@@ -14,7 +14,6 @@ namespace {
 
 // Constants of the glTF 2.0 specification, section 4 (GLB).
 constexpr std::string_view magic = "glTF";
-constexpr std::uint32_t json_chunk = 0x4E4F534A, binary_chunk = 0x004E4942;
 
 std::uint32_t word_at(std::string_view bytes, std::size_t at) {
   std::uint32_t value = 0;

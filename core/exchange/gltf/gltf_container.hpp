@@ -2,6 +2,7 @@
 
 // Container of glTF files: chunks of the binary form, and URIs of buffers. Internal to core/exchange.
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -10,6 +11,9 @@
 #include "core/base/result.hpp"
 
 namespace hariko {
+
+/// Kinds of chunks of the binary form.
+inline constexpr std::uint32_t json_chunk = 0x4E4F534A, binary_chunk = 0x004E4942;
 
 /// Sizes of the header of the binary form and of each chunk's header, bytes.
 inline constexpr std::size_t glb_header_size = 12, glb_chunk_header_size = 8;

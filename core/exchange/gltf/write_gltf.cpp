@@ -19,7 +19,7 @@ namespace hariko {
 namespace {
 
 // Constants of the glTF 2.0 specification.
-constexpr std::uint32_t magic = 0x46546C67, version = 2, json_chunk = 0x4E4F534A, binary_chunk = 0x004E4942;
+constexpr std::uint32_t magic_number = 0x46546C67, version = 2;
 constexpr int float_component = 5126, index_component = 5125;
 constexpr int vertex_buffer = 34962, index_buffer = 34963;
 
@@ -133,7 +133,7 @@ class GltfWriter {
     std::string out;
     out.reserve(total);
     for (const std::uint32_t word :
-         {magic, version, std::uint32_t(total), std::uint32_t(text.size()), json_chunk})
+         {magic_number, version, std::uint32_t(total), std::uint32_t(text.size()), json_chunk})
       append_word(out, word);
     out += text;
     if (parts_.empty()) return out;

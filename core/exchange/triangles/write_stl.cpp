@@ -14,7 +14,7 @@
 namespace hariko {
 namespace {
 
-constexpr std::size_t header_size = 84, facet_size = 50;
+constexpr std::size_t begin_size = 84, written_facet_size = 50;
 
 /// Normal and three corners.
 using Facet = std::array<Eigen::Vector3f, 4>;
@@ -54,11 +54,11 @@ class StlWriter {
  public:
   StlWriter(MeshEncoding encoding, std::size_t triangles) : ascii_(encoding == MeshEncoding::ascii) {
     constexpr std::size_t usual_ascii_size = 200;  // bytes of a triangle, about
-    out_.reserve(header_size + (ascii_ ? usual_ascii_size : facet_size) * triangles);
+    out_.reserve(begin_size + (ascii_ ? usual_ascii_size : written_facet_size) * triangles);
     if (ascii_) return;
     // Must not begin with "solid", by which readers tell text.
     out_ = "binary STL written by Hariko";
-    out_.resize(header_size, ' ');
+    out_.resize(begin_size, ' ');
   }
 
   void begin(const std::string& name) {

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double full_turn = 2 * std::numbers::pi;
 
-Vector3 perpendicular(const Vector3& v, const Vector3& unit) {
+Vector3 rejection(const Vector3& v, const Vector3& unit) {
   return v - v.dot(unit) * unit;
 }
 
@@ -21,7 +21,7 @@ class LoopFrame {
  public:
   explicit LoopFrame(std::span<const Vector3> points) : tangents_(loop_tangents(points)) {
     const std::size_t count = points.size();
-    Vector3 first = perpendicular(vector_area(points), tangents_[0]);
+    Vector3 first = rejection(vector_area(points), tangents_[0]);
     first = first.norm() > 1e-9 * vector_area(points).norm() && first.norm() > 0
                 ? Vector3(first.normalized())
                 : tangents_[0].unitOrthogonal();
@@ -46,9 +46,8 @@ class LoopFrame {
     return std::atan2(v.dot(tangents_[i].cross(references_[i])), v.dot(references_[i]));
   }
   Vector3 at(std::size_t i, double angle) const {
-    return perpendicular(
-               std::cos(angle) * references_[i] + std::sin(angle) * tangents_[i].cross(references_[i]),
-               tangents_[i])
+    return rejection(std::cos(angle) * references_[i] + std::sin(angle) * tangents_[i].cross(references_[i]),
+                     tangents_[i])
         .normalized();
   }
 
@@ -57,12 +56,12 @@ class LoopFrame {
   static Vector3 transported(const Vector3& reference, const Vector3& from, const Vector3& to,
                              const Vector3& chord) {
     const double square = chord.squaredNorm();
-    if (!(square > 0)) return perpendicular(reference, to).normalized();
+    if (!(square > 0)) return rejection(reference, to).normalized();
     const Vector3 middle = reference - 2 / square * chord.dot(reference) * chord;
     const Vector3 turned = from - 2 / square * chord.dot(from) * chord;
     const Vector3 second = to - turned;
     const double other = second.squaredNorm();
-    return perpendicular(other > 0 ? Vector3(middle - 2 / other * second.dot(middle) * second) : middle, to)
+    return rejection(other > 0 ? Vector3(middle - 2 / other * second.dot(middle) * second) : middle, to)
         .normalized();
   }
 
@@ -127,7 +126,7 @@ std::vector<Vector3> spread_normals(std::span<const Vector3> points,
   const LoopFrame frame(points);
   std::vector<double> places, angles;
   for (const auto& [place, normal] : given) {
-    const Vector3 across = perpendicular(normal, frame.tangent(place));
+    const Vector3 across = rejection(normal, frame.tangent(place));
     if (!(across.norm() > 1e-9 * normal.norm())) continue;
     double angle = frame.angle(place, across);
     if (!angles.empty()) angle = angles.back() + std::remainder(angle - angles.back(), full_turn);
@@ -147,7 +146,7 @@ std::vector<Vector3> spread_normals(std::span<const Vector3> points,
 std::vector<Vector3> tilted_normals(std::span<const Vector3> points, const Vector3& axis, double tilt) {
   std::vector<Vector3> out;
   for (const Vector3& tangent : loop_tangents(points)) {
-    Vector3 up = perpendicular(axis.stableNormalized(), tangent);
+    Vector3 up = rejection(axis.stableNormalized(), tangent);
     up = up.norm() > 1e-9 ? Vector3(up.normalized()) : tangent.unitOrthogonal();
     out.push_back(std::cos(tilt) * up + std::sin(tilt) * tangent.cross(up));
   }

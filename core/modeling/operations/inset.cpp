@@ -75,8 +75,8 @@ Message too_wide(Element element) {
 }
 
 /// Continues the inner edges of the region that end at the rim across the band.
-void carry_shaping(MeshEditor& draft, const Polyhedron& polyhedron, const Shaping& before,
-                   const Region& region) {
+void carry_across(MeshEditor& draft, const Polyhedron& polyhedron, const Shaping& before,
+                  const Region& region) {
   for (const RimPoint& point : region.rim) {
     const EdgeId across = EdgeId::of(point.base, point.top);
     for (const Index e : point.inner_edges) {
@@ -120,7 +120,7 @@ Result<EditResult> inset_faces(const PolyhedronSource& source, std::span<const F
   for (std::size_t r = 0; r < regions.size(); ++r) {
     const InsetRegion& inset = (*prepared)[r];
     const double width = share ? options.amount * inset.limit : options.amount;
-    carry_shaping(draft, polyhedron, *source.shaping, regions[r]);
+    carry_across(draft, polyhedron, *source.shaping, regions[r]);
     for (std::size_t i = 0; i < inset.rates.size(); ++i)
       draft.move_vertex(regions[r].rim[i].top,
                         polyhedron.position(regions[r].rim[i].vertex) + width * inset.rates[i]);

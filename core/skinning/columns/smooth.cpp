@@ -17,7 +17,7 @@ namespace hariko {
 
 namespace {
 
-constexpr std::size_t max_vertices = 2'000'000;
+constexpr std::size_t max_smooth_vertices = 2'000'000;
 
 std::vector<double> places_of(const Skin& skin) {
   std::vector<double> out;
@@ -273,7 +273,7 @@ class SmoothBuilder {
       return make_error(e_few_rows, "More rows than sections are needed.", "Raise the number of rows.");
     if (columns_ < (plan_.closed_sections ? std::max(3, anchors) : anchors + 2))
       return make_error(e_few_rows, "More columns than anchors are needed.", "Raise the number of columns.");
-    if (std::size_t(columns_) > max_vertices / std::size_t(rows))
+    if (std::size_t(columns_) > max_smooth_vertices / std::size_t(rows))
       return make_error(e_skin_size, "The skin has more than two million control points.",
                         "Lower its rows and columns.");
     make_rows(rows);
