@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <functional>
 #include <iostream>
 #include <memory>
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "app/assets_folder.hpp"
 #include "app/crash_offers.hpp"
@@ -56,7 +58,7 @@ bool software_renderer() {
   return describe_gl().find("llvmpipe") != std::string::npos;
 }
 
-class Application {
+class Application final : private ApplicationServices {
  public:
   Application(GlWindow& window, Renderer renderer, const WindowOptions& options, std::optional<Replay> replay,
               SignalWatch& signals, const RunLog& run_log)
@@ -75,7 +77,7 @@ class Application {
         conversions_(editor_, long_, [this](const char* what, const auto& path) { happened(what, path); }),
         pictures_in_(editor_, long_, [this](const char* what, const auto& path) { happened(what, path); }),
         references_(editor_, &GlWindow::wake),
-        workbench_(editor_, renderer_, software_renderer() ? 1 : 4, window.metrics(), file_actions()),
+        workbench_(editor_, renderer_, software_renderer() ? 1 : 4, window.metrics(), *this),
         exchange_(editor_, workbench_, long_,
                   [this](const char* what, const auto& path) { happened(what, path); }),
         gauss_(editor_, editor_.gauss, &GlWindow::wake),
@@ -106,7 +108,7 @@ class Application {
     }
     watch_for_the_end();
   }
-  ~Application() {
+  ~Application() override {
     // Signals and a lost display must not reach a session that is being destroyed.
     signals_.set_action({});
     on_display_loss({});
@@ -166,41 +168,48 @@ class Application {
     if (!path.empty()) run_log_.line(what, path.filename().string());
   }
 
-  FileActions file_actions() {
-    FileActions actions;
-    actions.open = [this](const auto& path) { session_.open(path); };
-    actions.import_file = [this](const auto& path) { exchange_.import_file(path); };
-    actions.save = [this](const auto& path, auto then) { session_.save(path, std::move(then)); };
-    actions.save_copy = [this](const auto& path) { session_.save_copy(path); };
-    actions.revert = [this] { session_.revert(); };
-    actions.recover = [this](const std::string& id) { session_.recover(id); };
-    actions.discard_recovery = [this](const std::string& id) { session_.discard_recovery(id); };
-    actions.dismiss_crash = [this] { crashes_.dismiss(); };
-    actions.show_log_folder = [this] { crashes_.show_folder(); };
-    actions.export_file = [this](const auto& path, const auto& settings) {
-      exchange_.export_file(path, settings);
-    };
-    actions.export_cad = [this](const auto& path, const auto& settings) {
-      exchange_.export_cad(path, settings);
-    };
-    actions.count_export = [this](const std::filesystem::path& path, const ExportSettings& settings) {
-      exchange_.count_export(path, settings);
-    };
-    actions.count_cad = [this](const CadSettings& settings) { exchange_.count_cad(settings); };
-    actions.cancel_count = [this] { exchange_.cancel_count(); };
-    actions.export_pictures = [this](PictureOrder order) { exchange_.export_pictures(std::move(order)); };
-    actions.export_drawing = [this](DrawingOrder order) { exchange_.export_drawing(std::move(order)); };
-    actions.export_control = [this](const auto& path) { skins_.export_control(path); };
-    actions.convert = [this](ObjectId object) { conversions_.convert(object); };
-    actions.add_section = [this](ObjectId object, double place) { skins_.add_section(object, place); };
-    connect(actions, pictures_in_);
-    actions.export_pages = [this](const auto& path) { exchange_.export_pages(path); };
-    actions.record = [this](const auto& path) { record_to_ = path; };
-    actions.stop_recording = [this] { recording_ends_ = true; };
-    actions.picture = [this](Sample& sample) { sample_pictures_.give(sample, editor_.settings.theme); };
-    actions.quit = [this] { quit_ = true; };
-    return actions;
+  // Requests of the interface.
+  void open(const std::filesystem::path& path) override { session_.open(path); }
+  void import_file(const std::filesystem::path& path) override { exchange_.import_file(path); }
+  void save(const std::filesystem::path& path, std::function<void()> then) override {
+    session_.save(path, std::move(then));
   }
+  void save_copy(const std::filesystem::path& path) override { session_.save_copy(path); }
+  void revert() override { session_.revert(); }
+  void recover(const std::string& id) override { session_.recover(id); }
+  void discard_recovery(const std::string& id) override { session_.discard_recovery(id); }
+  void dismiss_crash() override { crashes_.dismiss(); }
+  void show_log_folder() override { crashes_.show_folder(); }
+  void export_file(const std::filesystem::path& path, const ExportSettings& settings) override {
+    exchange_.export_file(path, settings);
+  }
+  void count_export(const std::filesystem::path& path, const ExportSettings& settings) override {
+    exchange_.count_export(path, settings);
+  }
+  void export_cad(const std::filesystem::path& path, const CadSettings& settings) override {
+    exchange_.export_cad(path, settings);
+  }
+  void count_cad(const CadSettings& settings) override { exchange_.count_cad(settings); }
+  void cancel_count() override { exchange_.cancel_count(); }
+  void export_pictures(PictureOrder order) override { exchange_.export_pictures(std::move(order)); }
+  void export_drawing(DrawingOrder order) override { exchange_.export_drawing(std::move(order)); }
+  void export_control(const std::filesystem::path& path) override { skins_.export_control(path); }
+  void export_pages(const std::filesystem::path& path) override { exchange_.export_pages(path); }
+  void add_pictures(const std::vector<std::filesystem::path>& files) override { pictures_in_.add(files); }
+  void pack_pictures(const std::vector<ObjectId>& pictures) override { pictures_in_.pack(pictures); }
+  void unpack_picture(ObjectId picture, const std::filesystem::path& file) override {
+    pictures_in_.unpack(picture, file);
+  }
+  void replace_picture(ObjectId picture, const std::filesystem::path& file) override {
+    pictures_in_.replace(picture, file);
+  }
+  void find_pictures(const std::filesystem::path& file) override { pictures_in_.find(file); }
+  void convert(ObjectId object) override { conversions_.convert(object); }
+  void add_section(ObjectId skin, double place) override { skins_.add_section(skin, place); }
+  void record(const std::filesystem::path& path) override { record_to_ = path; }
+  void stop_recording() override { recording_ends_ = true; }
+  void give_picture(Sample& sample) override { sample_pictures_.give(sample, editor_.settings.theme); }
+  void quit() override { quit_ = true; }
 
   double wait_seconds() const {
     if (frames_ > 0) return 0;
