@@ -22,7 +22,7 @@
 #include "app/engines/reference_loader.hpp"
 #include "app/engines/surface_builder.hpp"
 #include "app/input/frame_meter.hpp"
-#include "app/input/replay.hpp"
+#include "app/input/replay_session.hpp"
 #include "app/input/test_log.hpp"
 #include "app/jobs/background_work.hpp"
 #include "app/jobs/conversion_jobs.hpp"
@@ -33,14 +33,12 @@
 #include "app/pictures/pictures.hpp"
 #include "app/pictures/sample_pictures.hpp"
 #include "app/pictures/samples.hpp"
-#include "app/scratch_folder.hpp"
 #include "app/window/display_loss.hpp"
 #include "app/window/failure_dialog.hpp"
 #include "app/window/gl_window.hpp"
 #include "app/window/interface_text.hpp"
 #include "app/window/signal_watch.hpp"
 #include "app/window/window_icons.hpp"
-#include "core/document/format/format.hpp"
 #include "ui/base/fonts.hpp"
 #include "ui/base/system_information.hpp"
 #include "ui/shell/workbench.hpp"
@@ -56,6 +54,17 @@ constexpr const char* no_assets = translatable(
 
 bool software_renderer() {
   return describe_gl().find("llvmpipe") != std::string::npos;
+}
+
+/// Worker beside the event loop.
+struct Publisher {
+  std::function<std::size_t()> publish;  ///< applies finished results and returns their number
+  std::function<bool()> idle;            ///< whether nothing waits, runs or is unpublished
+};
+
+template <class Worker>
+Publisher publisher(Worker& worker) {
+  return {[&worker] { return worker.publish(); }, [&worker] { return worker.idle(); }};
 }
 
 class Application final : private ApplicationServices {
@@ -96,13 +105,13 @@ class Application final : private ApplicationServices {
     workbench_.samples() = find_samples(assets_folder());
     if (const char* missing = missing_fonts())
       editor_.notify(Notice::Kind::warning, editor_.language(missing));
-    begin_replay(options, std::move(replay));
+    replay_.begin(options, std::move(replay));
+    const Replay* played = replay_.replay();
     // A replay must not depend on this user's settings and recovery files.
-    if (!player_) load_settings();
-    if (player_) settings_of_replay();
-    const auto& files = player_ ? player_->replay().start.files : options.files;
+    if (!played) load_settings();
+    const auto& files = played ? played->start.files : options.files;
     for (const auto& file : files) file == files.front() ? session_.open(file) : exchange_.import_file(file);
-    if (!player_) {
+    if (!played) {
       crashes_.find();
       session_.find_offers(pictures_);
     }
@@ -119,8 +128,8 @@ class Application final : private ApplicationServices {
   /// Runs the event loop; returns the exit code.
   int run() {
     while (!quit_ && signal_ == 0) {
-      begin_session();
-      play();
+      if (replay_.open_document(frames_ <= 0)) frames_ = frames_after_input;
+      if (replay_.play(idle_)) quit_ = true;
       const bool opening = workbench_.field_opening();
       if (opening) frames_ = std::max(frames_, 1);
       if (window_.wait(wait_seconds(), opening)) {
@@ -128,12 +137,15 @@ class Application final : private ApplicationServices {
         idle_ = false;
       }
       editor_.now = window_.now();
-      follow_recording();
-      if (recorder_) recorder_->batch(window_.input_time(), window_.input());
+      if (replay_.follow_requests()) {
+        frames_ = frames_after_input;
+        idle_ = false;
+      }
+      replay_.record_input();
       log_.input(window_.input());
-      if (engine_.publish() + paper_.publish() + long_.publish() + edits_.publish() + session_.publish() +
-              meshes_.publish() + gauss_.publish() + references_.publish() >
-          0) {
+      std::size_t published = 0;
+      for (const Publisher& one : publishers_) published += one.publish();
+      if (published > 0) {
         frames_ = std::max(frames_, 2);
         idle_ = false;
       }
@@ -147,15 +159,12 @@ class Application final : private ApplicationServices {
       --frames_;
       frame();
     }
-    if (recorder_) recorder_->finish(editor_.now, editor_.history.current(), editor_.history.position());
-    if (recorder_ && !recorder_->ok())
-      std::cerr << editor_.language("The replay is not whole: its file could not be written to the end.")
-                << "\n";
+    replay_.end();
     session_.update();
     signal_ == 0 ? session_.end() : session_.write_autosave();
     save_settings();
     if (signal_ != 0) return 128 + signal_;
-    return player_ ? judge_replay() : 0;
+    return replay_.judge();
   }
 
  private:
@@ -206,14 +215,14 @@ class Application final : private ApplicationServices {
   void find_pictures(const std::filesystem::path& file) override { pictures_in_.find(file); }
   void convert(ObjectId object) override { conversions_.convert(object); }
   void add_section(ObjectId skin, double place) override { skins_.add_section(skin, place); }
-  void record(const std::filesystem::path& path) override { record_to_ = path; }
-  void stop_recording() override { recording_ends_ = true; }
+  void record(const std::filesystem::path& path) override { replay_.record(path); }
+  void stop_recording() override { replay_.stop(); }
   void give_picture(Sample& sample) override { sample_pictures_.give(sample, editor_.settings.theme); }
   void quit() override { quit_ = true; }
 
   double wait_seconds() const {
     if (frames_ > 0) return 0;
-    double seconds = player_ ? 0.005 : 1;
+    double seconds = replay_.replay() ? 0.005 : 1;
     const double next = workbench_.viewport().next_frame_in();
     if (next >= 0) seconds = std::min(seconds, next);
     if (ImGui::GetIO().WantTextInput) seconds = std::min(seconds, 0.25);
@@ -249,7 +258,7 @@ class Application final : private ApplicationServices {
 
   void save_settings() {
     // Not while a slider moves: every value would be written.
-    if (player_ || ImGui::IsAnyMouseDown()) return;
+    if (replay_.replay() || ImGui::IsAnyMouseDown()) return;
     ExportMemory exports = workbench_.files().remembered();
     if (editor_.settings == saved_settings_ && exports == saved_exports_) return;
     saved_settings_ = editor_.settings;
@@ -267,9 +276,10 @@ class Application final : private ApplicationServices {
 
   /// Whether nothing is left to do until input arrives.
   bool rests() const {
-    return frames_ <= 0 && !due() && long_.idle() && edits_.idle() && paper_.idle() && session_.idle() &&
-           meshes_.idle() && gauss_.idle() && references_.idle() &&
-           workbench_.viewport().next_frame_in() < 0 && !session_waits_;
+    return frames_ <= 0 && !due() &&
+           std::all_of(publishers_.begin(), publishers_.end(),
+                       [](const Publisher& one) { return one.idle(); }) &&
+           workbench_.viewport().next_frame_in() < 0 && !replay_.document_waits();
   }
 
   void take_input() {
@@ -328,120 +338,8 @@ class Application final : private ApplicationServices {
     window_.set_title(title);
     if (std::exchange(first_, false)) log_.first_frame(workbench_);
     idle_ = rests();
-    if (recorder_ && idle_) recorder_->idle(editor_.now);
+    if (idle_) replay_.record_idle();
     log_.frame(editor_, workbench_, idle_);
-  }
-
-  void begin_replay(const WindowOptions& options, std::optional<Replay> replay) {
-    if (replay) player_.emplace(*std::move(replay), options.skip_pauses);
-    editor_.recording = player_.has_value();
-    if (!options.record.empty())
-      record(options.record, {window_.width(), window_.height(), window_.monitor_scale(), options.files});
-  }
-
-  void record(const std::filesystem::path& path, const ReplayStart& start) {
-    recorder_.emplace(path, start, window_.now());
-    editor_.recording = recorder_->ok();
-    if (recorder_->ok()) return;
-    recorder_.reset();
-    editor_.notify(Notice::Kind::error,
-                   fill(editor_.language("{0} cannot be written: nothing is recorded."), {path.string()}));
-  }
-
-  /// Starts a requested recording before the next event, and ends a recording that has all events so far.
-  void follow_recording() {
-    if (const auto path = std::exchange(record_to_, std::nullopt); path && !recorder_) record_session(*path);
-    if (!std::exchange(recording_ends_, false)) return;
-    if (recorder_) {
-      recorder_->finish(editor_.now, editor_.history.current(), editor_.history.position());
-      const bool whole = recorder_->ok();
-      recorder_.reset();
-      log_.file("recorded", {});
-      if (whole)
-        editor_.notify(Notice::Kind::info, editor_.language("The replay is written."));
-      else
-        editor_.notify(
-            Notice::Kind::error,
-            editor_.language("The replay is not whole: its file could not be written to the end."));
-    }
-    editor_.end_recording();
-  }
-
-  /// Starts recording; the replay will begin with the document as it is now.
-  void record_session(const std::filesystem::path& path) {
-    const History& history = editor_.history;
-    ReplayStart start{window_.width(), window_.height(), window_.monitor_scale(), {}};
-    start.session = {write_document(history.current()),
-                     editor_.path ? editor_.path->filename().string() : std::string(), history.dirty(),
-                     settings_text(editor_.settings)};
-    record(path, start);
-    if (!recorder_) return;
-    editor_.begin_recording();
-    workbench_.forget_interface();
-    engine_.reset();
-    frames_ = frames_after_input;
-    idle_ = false;
-    // The replay waits until everything that it opened is shown.
-    recorder_->idle(editor_.now);
-    // Position of the pointer, for keys that come before it moves.
-    InputEvent pointer;
-    pointer.x = double(ImGui::GetIO().MousePos.x);
-    pointer.y = double(ImGui::GetIO().MousePos.y);
-    if (ImGui::IsMousePosValid()) recorder_->batch(editor_.now, {pointer});
-    log_.file("recording", path);
-  }
-
-  void settings_of_replay() {
-    const auto& session = player_->replay().start.session;
-    if (!session) return;
-    editor_.settings = saved_settings_ = settings_of(session->settings);
-    session_waits_ = true;
-  }
-
-  /// Opens the initial document of a recorded session once the window has its sizes, so that views are framed
-  /// as in the recording. The document's file is a scratch file of the replay.
-  void begin_session() {
-    if (!session_waits_ || frames_ > 0) return;
-    session_waits_ = false;
-    frames_ = frames_after_input;
-    const ReplayStart::Session& session = *player_->replay().start.session;
-    auto document = read_document(session.document);
-    if (!document) return editor_.notify(document.error());
-    std::optional<std::filesystem::path> file;
-    if (!session.name.empty()) {
-      scratch_.emplace();
-      file = scratch_->path() / std::filesystem::path(session.name).filename();
-    }
-    editor_.open(std::move(document).value(), file);
-    if (session.dirty) editor_.history.mark_unsaved();
-  }
-
-  /// Feeds the window with the replay's events that are due.
-  void play() {
-    if (!player_) return;
-    const auto now = std::chrono::steady_clock::now();
-    const double seconds = std::chrono::duration<double>(now - played_at_).count();
-    played_at_ = now;
-    const auto batch = player_->advance(seconds, idle_);
-    window_.replay(player_->now(), batch);
-    if (player_->finished() || player_->stuck()) quit_ = true;
-  }
-
-  int judge_replay() const {
-    const auto wrong = [](const std::string& what) {
-      std::cerr << "The replay ended otherwise than it was recorded: " << what << "\n";
-      return 1;
-    };
-    if (player_->stuck()) return wrong("the program did not come to rest.");
-    if (!player_->all_played()) return wrong("the program was left before the end.");
-    const std::string hash = document_hash(editor_.history.current());
-    if (hash != player_->replay().document_hash)
-      return wrong("the document is another one (" + hash + " instead of " + player_->replay().document_hash +
-                   ").");
-    if (editor_.history.position() != player_->replay().undo_steps)
-      return wrong("there are " + std::to_string(editor_.history.position()) + " steps to undo instead of " +
-                   std::to_string(player_->replay().undo_steps) + ".");
-    return 0;
   }
 
   GlWindow& window_;
@@ -471,19 +369,17 @@ class Application final : private ApplicationServices {
   CrashOffers crashes_;
   Pictures pictures_;
   SamplePictures sample_pictures_;
+  /// In the order in which their results are applied.
+  const std::vector<Publisher> publishers_{publisher(engine_), publisher(paper_),     publisher(long_),
+                                           publisher(edits_),  publisher(session_),   publisher(meshes_),
+                                           publisher(gauss_),  publisher(references_)};
   int frames_ = frames_after_input;
   bool quit_ = false, idle_ = false;
   bool first_ = true;                       ///< no frame has been drawn yet
   ThemeId pictured_theme_ = ThemeId::dark;  ///< theme of the samples' pictures
   std::atomic<int> signal_ = 0;             ///< signal that asked to end
   FrameMeter meter_;
-  std::optional<ReplayRecorder> recorder_;
-  std::optional<std::filesystem::path> record_to_;  ///< file of a requested recording
-  bool recording_ends_ = false;
-  bool session_waits_ = false;            ///< the replay's initial document is not opened yet
-  std::optional<ScratchFolder> scratch_;  ///< for a replay that saves files
-  std::optional<ReplayPlayer> player_;
-  std::chrono::steady_clock::time_point played_at_ = std::chrono::steady_clock::now();
+  ReplaySession replay_{editor_, workbench_, window_, engine_, log_};
 };
 
 int fail(const Message& error, const RunLog& run_log) {
