@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <functional>
 #include <iostream>
 #include <memory>
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "app/assets_folder.hpp"
 #include "app/crash_offers.hpp"
@@ -20,7 +22,7 @@
 #include "app/engines/reference_loader.hpp"
 #include "app/engines/surface_builder.hpp"
 #include "app/input/frame_meter.hpp"
-#include "app/input/replay.hpp"
+#include "app/input/replay_session.hpp"
 #include "app/input/test_log.hpp"
 #include "app/jobs/background_work.hpp"
 #include "app/jobs/conversion_jobs.hpp"
@@ -31,14 +33,12 @@
 #include "app/pictures/pictures.hpp"
 #include "app/pictures/sample_pictures.hpp"
 #include "app/pictures/samples.hpp"
-#include "app/scratch_folder.hpp"
 #include "app/window/display_loss.hpp"
 #include "app/window/failure_dialog.hpp"
 #include "app/window/gl_window.hpp"
 #include "app/window/interface_text.hpp"
 #include "app/window/signal_watch.hpp"
 #include "app/window/window_icons.hpp"
-#include "core/document/format/format.hpp"
 #include "ui/base/fonts.hpp"
 #include "ui/base/system_information.hpp"
 #include "ui/shell/workbench.hpp"
@@ -56,7 +56,18 @@ bool software_renderer() {
   return describe_gl().find("llvmpipe") != std::string::npos;
 }
 
-class Application {
+/// Worker beside the event loop.
+struct Publisher {
+  std::function<std::size_t()> publish;  ///< applies finished results and returns their number
+  std::function<bool()> idle;            ///< whether nothing waits, runs or is unpublished
+};
+
+template <class Worker>
+Publisher publisher(Worker& worker) {
+  return {[&worker] { return worker.publish(); }, [&worker] { return worker.idle(); }};
+}
+
+class Application final : private ApplicationServices {
  public:
   Application(GlWindow& window, Renderer renderer, const WindowOptions& options, std::optional<Replay> replay,
               SignalWatch& signals, const RunLog& run_log)
@@ -75,7 +86,7 @@ class Application {
         conversions_(editor_, long_, [this](const char* what, const auto& path) { happened(what, path); }),
         pictures_in_(editor_, long_, [this](const char* what, const auto& path) { happened(what, path); }),
         references_(editor_, &GlWindow::wake),
-        workbench_(editor_, renderer_, software_renderer() ? 1 : 4, window.metrics(), file_actions()),
+        workbench_(editor_, renderer_, software_renderer() ? 1 : 4, window.metrics(), *this),
         exchange_(editor_, workbench_, long_,
                   [this](const char* what, const auto& path) { happened(what, path); }),
         gauss_(editor_, editor_.gauss, &GlWindow::wake),
@@ -94,19 +105,19 @@ class Application {
     workbench_.samples() = find_samples(assets_folder());
     if (const char* missing = missing_fonts())
       editor_.notify(Notice::Kind::warning, editor_.language(missing));
-    begin_replay(options, std::move(replay));
+    replay_.begin(options, std::move(replay));
+    const Replay* played = replay_.replay();
     // A replay must not depend on this user's settings and recovery files.
-    if (!player_) load_settings();
-    if (player_) settings_of_replay();
-    const auto& files = player_ ? player_->replay().start.files : options.files;
+    if (!played) load_settings();
+    const auto& files = played ? played->start.files : options.files;
     for (const auto& file : files) file == files.front() ? session_.open(file) : exchange_.import_file(file);
-    if (!player_) {
+    if (!played) {
       crashes_.find();
       session_.find_offers(pictures_);
     }
     watch_for_the_end();
   }
-  ~Application() {
+  ~Application() override {
     // Signals and a lost display must not reach a session that is being destroyed.
     signals_.set_action({});
     on_display_loss({});
@@ -117,8 +128,8 @@ class Application {
   /// Runs the event loop; returns the exit code.
   int run() {
     while (!quit_ && signal_ == 0) {
-      begin_session();
-      play();
+      if (replay_.open_document(frames_ <= 0)) frames_ = frames_after_input;
+      if (replay_.play(idle_)) quit_ = true;
       const bool opening = workbench_.field_opening();
       if (opening) frames_ = std::max(frames_, 1);
       if (window_.wait(wait_seconds(), opening)) {
@@ -126,12 +137,15 @@ class Application {
         idle_ = false;
       }
       editor_.now = window_.now();
-      follow_recording();
-      if (recorder_) recorder_->batch(window_.input_time(), window_.input());
+      if (replay_.follow_requests()) {
+        frames_ = frames_after_input;
+        idle_ = false;
+      }
+      replay_.record_input();
       log_.input(window_.input());
-      if (engine_.publish() + paper_.publish() + long_.publish() + edits_.publish() + session_.publish() +
-              meshes_.publish() + gauss_.publish() + references_.publish() >
-          0) {
+      std::size_t published = 0;
+      for (const Publisher& one : publishers_) published += one.publish();
+      if (published > 0) {
         frames_ = std::max(frames_, 2);
         idle_ = false;
       }
@@ -145,15 +159,12 @@ class Application {
       --frames_;
       frame();
     }
-    if (recorder_) recorder_->finish(editor_.now, editor_.history.current(), editor_.history.position());
-    if (recorder_ && !recorder_->ok())
-      std::cerr << editor_.language("The replay is not whole: its file could not be written to the end.")
-                << "\n";
+    replay_.end();
     session_.update();
     signal_ == 0 ? session_.end() : session_.write_autosave();
     save_settings();
     if (signal_ != 0) return 128 + signal_;
-    return player_ ? judge_replay() : 0;
+    return replay_.judge();
   }
 
  private:
@@ -166,45 +177,52 @@ class Application {
     if (!path.empty()) run_log_.line(what, path.filename().string());
   }
 
-  FileActions file_actions() {
-    FileActions actions;
-    actions.open = [this](const auto& path) { session_.open(path); };
-    actions.import_file = [this](const auto& path) { exchange_.import_file(path); };
-    actions.save = [this](const auto& path, auto then) { session_.save(path, std::move(then)); };
-    actions.save_copy = [this](const auto& path) { session_.save_copy(path); };
-    actions.revert = [this] { session_.revert(); };
-    actions.recover = [this](const std::string& id) { session_.recover(id); };
-    actions.discard_recovery = [this](const std::string& id) { session_.discard_recovery(id); };
-    actions.dismiss_crash = [this] { crashes_.dismiss(); };
-    actions.show_log_folder = [this] { crashes_.show_folder(); };
-    actions.export_file = [this](const auto& path, const auto& settings) {
-      exchange_.export_file(path, settings);
-    };
-    actions.export_cad = [this](const auto& path, const auto& settings) {
-      exchange_.export_cad(path, settings);
-    };
-    actions.count_export = [this](const std::filesystem::path& path, const ExportSettings& settings) {
-      exchange_.count_export(path, settings);
-    };
-    actions.count_cad = [this](const CadSettings& settings) { exchange_.count_cad(settings); };
-    actions.cancel_count = [this] { exchange_.cancel_count(); };
-    actions.export_pictures = [this](PictureOrder order) { exchange_.export_pictures(std::move(order)); };
-    actions.export_drawing = [this](DrawingOrder order) { exchange_.export_drawing(std::move(order)); };
-    actions.export_control = [this](const auto& path) { skins_.export_control(path); };
-    actions.convert = [this](ObjectId object) { conversions_.convert(object); };
-    actions.add_section = [this](ObjectId object, double place) { skins_.add_section(object, place); };
-    connect(actions, pictures_in_);
-    actions.export_pages = [this](const auto& path) { exchange_.export_pages(path); };
-    actions.record = [this](const auto& path) { record_to_ = path; };
-    actions.stop_recording = [this] { recording_ends_ = true; };
-    actions.picture = [this](Sample& sample) { sample_pictures_.give(sample, editor_.settings.theme); };
-    actions.quit = [this] { quit_ = true; };
-    return actions;
+  // Requests of the interface.
+  void open(const std::filesystem::path& path) override { session_.open(path); }
+  void import_file(const std::filesystem::path& path) override { exchange_.import_file(path); }
+  void save(const std::filesystem::path& path, std::function<void()> then) override {
+    session_.save(path, std::move(then));
   }
+  void save_copy(const std::filesystem::path& path) override { session_.save_copy(path); }
+  void revert() override { session_.revert(); }
+  void recover(const std::string& id) override { session_.recover(id); }
+  void discard_recovery(const std::string& id) override { session_.discard_recovery(id); }
+  void dismiss_crash() override { crashes_.dismiss(); }
+  void show_log_folder() override { crashes_.show_folder(); }
+  void export_file(const std::filesystem::path& path, const ExportSettings& settings) override {
+    exchange_.export_file(path, settings);
+  }
+  void count_export(const std::filesystem::path& path, const ExportSettings& settings) override {
+    exchange_.count_export(path, settings);
+  }
+  void export_cad(const std::filesystem::path& path, const CadSettings& settings) override {
+    exchange_.export_cad(path, settings);
+  }
+  void count_cad(const CadSettings& settings) override { exchange_.count_cad(settings); }
+  void cancel_count() override { exchange_.cancel_count(); }
+  void export_pictures(PictureOrder order) override { exchange_.export_pictures(std::move(order)); }
+  void export_drawing(DrawingOrder order) override { exchange_.export_drawing(std::move(order)); }
+  void export_control(const std::filesystem::path& path) override { skins_.export_control(path); }
+  void export_pages(const std::filesystem::path& path) override { exchange_.export_pages(path); }
+  void add_pictures(const std::vector<std::filesystem::path>& files) override { pictures_in_.add(files); }
+  void pack_pictures(const std::vector<ObjectId>& pictures) override { pictures_in_.pack(pictures); }
+  void unpack_picture(ObjectId picture, const std::filesystem::path& file) override {
+    pictures_in_.unpack(picture, file);
+  }
+  void replace_picture(ObjectId picture, const std::filesystem::path& file) override {
+    pictures_in_.replace(picture, file);
+  }
+  void find_pictures(const std::filesystem::path& file) override { pictures_in_.find(file); }
+  void convert(ObjectId object) override { conversions_.convert(object); }
+  void add_section(ObjectId skin, double place) override { skins_.add_section(skin, place); }
+  void record(const std::filesystem::path& path) override { replay_.record(path); }
+  void stop_recording() override { replay_.stop(); }
+  void give_picture(Sample& sample) override { sample_pictures_.give(sample, editor_.settings.theme); }
+  void quit() override { quit_ = true; }
 
   double wait_seconds() const {
     if (frames_ > 0) return 0;
-    double seconds = player_ ? 0.005 : 1;
+    double seconds = replay_.replay() ? 0.005 : 1;
     const double next = workbench_.viewport().next_frame_in();
     if (next >= 0) seconds = std::min(seconds, next);
     if (ImGui::GetIO().WantTextInput) seconds = std::min(seconds, 0.25);
@@ -240,7 +258,7 @@ class Application {
 
   void save_settings() {
     // Not while a slider moves: every value would be written.
-    if (player_ || ImGui::IsAnyMouseDown()) return;
+    if (replay_.replay() || ImGui::IsAnyMouseDown()) return;
     ExportMemory exports = workbench_.files().remembered();
     if (editor_.settings == saved_settings_ && exports == saved_exports_) return;
     saved_settings_ = editor_.settings;
@@ -258,9 +276,10 @@ class Application {
 
   /// Whether nothing is left to do until input arrives.
   bool rests() const {
-    return frames_ <= 0 && !due() && long_.idle() && edits_.idle() && paper_.idle() && session_.idle() &&
-           meshes_.idle() && gauss_.idle() && references_.idle() &&
-           workbench_.viewport().next_frame_in() < 0 && !session_waits_;
+    return frames_ <= 0 && !due() &&
+           std::all_of(publishers_.begin(), publishers_.end(),
+                       [](const Publisher& one) { return one.idle(); }) &&
+           workbench_.viewport().next_frame_in() < 0 && !replay_.document_waits();
   }
 
   void take_input() {
@@ -319,120 +338,8 @@ class Application {
     window_.set_title(title);
     if (std::exchange(first_, false)) log_.first_frame(workbench_);
     idle_ = rests();
-    if (recorder_ && idle_) recorder_->idle(editor_.now);
+    if (idle_) replay_.record_idle();
     log_.frame(editor_, workbench_, idle_);
-  }
-
-  void begin_replay(const WindowOptions& options, std::optional<Replay> replay) {
-    if (replay) player_.emplace(*std::move(replay), options.skip_pauses);
-    editor_.recording = player_.has_value();
-    if (!options.record.empty())
-      record(options.record, {window_.width(), window_.height(), window_.monitor_scale(), options.files});
-  }
-
-  void record(const std::filesystem::path& path, const ReplayStart& start) {
-    recorder_.emplace(path, start, window_.now());
-    editor_.recording = recorder_->ok();
-    if (recorder_->ok()) return;
-    recorder_.reset();
-    editor_.notify(Notice::Kind::error,
-                   fill(editor_.language("{0} cannot be written: nothing is recorded."), {path.string()}));
-  }
-
-  /// Starts a requested recording before the next event, and ends a recording that has all events so far.
-  void follow_recording() {
-    if (const auto path = std::exchange(record_to_, std::nullopt); path && !recorder_) record_session(*path);
-    if (!std::exchange(recording_ends_, false)) return;
-    if (recorder_) {
-      recorder_->finish(editor_.now, editor_.history.current(), editor_.history.position());
-      const bool whole = recorder_->ok();
-      recorder_.reset();
-      log_.file("recorded", {});
-      if (whole)
-        editor_.notify(Notice::Kind::info, editor_.language("The replay is written."));
-      else
-        editor_.notify(
-            Notice::Kind::error,
-            editor_.language("The replay is not whole: its file could not be written to the end."));
-    }
-    editor_.end_recording();
-  }
-
-  /// Starts recording; the replay will begin with the document as it is now.
-  void record_session(const std::filesystem::path& path) {
-    const History& history = editor_.history;
-    ReplayStart start{window_.width(), window_.height(), window_.monitor_scale(), {}};
-    start.session = {write_document(history.current()),
-                     editor_.path ? editor_.path->filename().string() : std::string(), history.dirty(),
-                     settings_text(editor_.settings)};
-    record(path, start);
-    if (!recorder_) return;
-    editor_.begin_recording();
-    workbench_.forget_interface();
-    engine_.reset();
-    frames_ = frames_after_input;
-    idle_ = false;
-    // The replay waits until everything that it opened is shown.
-    recorder_->idle(editor_.now);
-    // Position of the pointer, for keys that come before it moves.
-    InputEvent pointer;
-    pointer.x = double(ImGui::GetIO().MousePos.x);
-    pointer.y = double(ImGui::GetIO().MousePos.y);
-    if (ImGui::IsMousePosValid()) recorder_->batch(editor_.now, {pointer});
-    log_.file("recording", path);
-  }
-
-  void settings_of_replay() {
-    const auto& session = player_->replay().start.session;
-    if (!session) return;
-    editor_.settings = saved_settings_ = settings_of(session->settings);
-    session_waits_ = true;
-  }
-
-  /// Opens the initial document of a recorded session once the window has its sizes, so that views are framed
-  /// as in the recording. The document's file is a scratch file of the replay.
-  void begin_session() {
-    if (!session_waits_ || frames_ > 0) return;
-    session_waits_ = false;
-    frames_ = frames_after_input;
-    const ReplayStart::Session& session = *player_->replay().start.session;
-    auto document = read_document(session.document);
-    if (!document) return editor_.notify(document.error());
-    std::optional<std::filesystem::path> file;
-    if (!session.name.empty()) {
-      scratch_.emplace();
-      file = scratch_->path() / std::filesystem::path(session.name).filename();
-    }
-    editor_.open(std::move(document).value(), file);
-    if (session.dirty) editor_.history.mark_unsaved();
-  }
-
-  /// Feeds the window with the replay's events that are due.
-  void play() {
-    if (!player_) return;
-    const auto now = std::chrono::steady_clock::now();
-    const double seconds = std::chrono::duration<double>(now - played_at_).count();
-    played_at_ = now;
-    const auto batch = player_->advance(seconds, idle_);
-    window_.replay(player_->now(), batch);
-    if (player_->finished() || player_->stuck()) quit_ = true;
-  }
-
-  int judge_replay() const {
-    const auto wrong = [](const std::string& what) {
-      std::cerr << "The replay ended otherwise than it was recorded: " << what << "\n";
-      return 1;
-    };
-    if (player_->stuck()) return wrong("the program did not come to rest.");
-    if (!player_->all_played()) return wrong("the program was left before the end.");
-    const std::string hash = document_hash(editor_.history.current());
-    if (hash != player_->replay().document_hash)
-      return wrong("the document is another one (" + hash + " instead of " + player_->replay().document_hash +
-                   ").");
-    if (editor_.history.position() != player_->replay().undo_steps)
-      return wrong("there are " + std::to_string(editor_.history.position()) + " steps to undo instead of " +
-                   std::to_string(player_->replay().undo_steps) + ".");
-    return 0;
   }
 
   GlWindow& window_;
@@ -462,19 +369,17 @@ class Application {
   CrashOffers crashes_;
   Pictures pictures_;
   SamplePictures sample_pictures_;
+  /// In the order in which their results are applied.
+  const std::vector<Publisher> publishers_{publisher(engine_), publisher(paper_),     publisher(long_),
+                                           publisher(edits_),  publisher(session_),   publisher(meshes_),
+                                           publisher(gauss_),  publisher(references_)};
   int frames_ = frames_after_input;
   bool quit_ = false, idle_ = false;
   bool first_ = true;                       ///< no frame has been drawn yet
   ThemeId pictured_theme_ = ThemeId::dark;  ///< theme of the samples' pictures
   std::atomic<int> signal_ = 0;             ///< signal that asked to end
   FrameMeter meter_;
-  std::optional<ReplayRecorder> recorder_;
-  std::optional<std::filesystem::path> record_to_;  ///< file of a requested recording
-  bool recording_ends_ = false;
-  bool session_waits_ = false;            ///< the replay's initial document is not opened yet
-  std::optional<ScratchFolder> scratch_;  ///< for a replay that saves files
-  std::optional<ReplayPlayer> player_;
-  std::chrono::steady_clock::time_point played_at_ = std::chrono::steady_clock::now();
+  ReplaySession replay_{editor_, workbench_, window_, engine_, log_};
 };
 
 int fail(const Message& error, const RunLog& run_log) {

@@ -1,13 +1,13 @@
 #include "app/document_session.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <system_error>
 #include <utility>
 
 #include "app/files/file_names.hpp"
 #include "app/files/prepare_meshes.hpp"
 #include "app/jobs/broken_mesh.hpp"
+#include "app/persistence/unix_seconds.hpp"
 #include "core/base/files/temporary_files.hpp"
 #include "core/base/text/sanitized_utf8.hpp"
 #include "core/document/file.hpp"
@@ -19,11 +19,6 @@ namespace fs = std::filesystem;
 using Outcome = FileLock::Attempt::Outcome;
 
 namespace {
-
-std::int64_t unix_seconds() {
-  using namespace std::chrono;
-  return duration_cast<seconds>(system_clock::now().time_since_epoch()).count();
-}
 
 /// Owner of a lock, "ada on studio-3", as far as the lock tells.
 std::string owner_text(const Language& tr, const std::optional<LockOwner>& owner) {
@@ -65,7 +60,8 @@ DocumentSession::DocumentSession(Editor& editor, Workbench& workbench, const Xdg
       hooks_(std::move(hooks)),
       samples_(std::move(samples)),
       recovery_(folders.state / "recovery"),
-      recent_(folders.state / "recent.json"),
+      recent_(workbench, background_, folders.state / "recent.json"),
+      recoveries_(editor, workbench, recovery_, background_, hooks_.log),
       autosaver_(recovery_),
       background_(editor, hooks_.wake) {}
 
@@ -169,10 +165,10 @@ void DocumentSession::install(const std::shared_ptr<Opened>& opened, Mode mode) 
   for (std::size_t i = 0; i < std::min(most_warnings, opened->file.messages.size()); ++i)
     editor_.notify(opened->file.messages[i]);
   const auto& objects = opened->file.document->objects;
-  const auto any_equal = [&](hariko::Mode mode) {
+  const auto any_equal = [&](hariko::Mode asked) {
     return opened->file.native && std::any_of(objects.begin(), objects.end(), [&](const auto& object) {
              const PolyhedronSource* source = object->polyhedron();
-             return source && source->mode == mode && source->frames == Frames::equal;
+             return source && source->mode == asked && source->frames == Frames::equal;
            });
   };
   if (any_equal(hariko::Mode::g2))
@@ -185,7 +181,7 @@ void DocumentSession::install(const std::shared_ptr<Opened>& opened, Mode mode) 
         Notice::Kind::info,
         editor_.language(translatable("Surfaces of this document are made by equal angles, as they were. "
                                       "Shape > Surfaces by measure makes them even over uneven cages.")));
-  if (!opened->sample) used(opened->path);
+  if (!opened->sample) recent_.used(opened->path);
   hooks_.log("opened", opened->path);
 }
 
@@ -238,7 +234,7 @@ void DocumentSession::finish_save(Saved& saved, const std::function<void()>& the
   if (saved.changed_on_disk) return ask_about_change(saved.path, then);
   if (!saved.result.ok()) return editor_.notify(saved.result.error());
   editor_.notify(Notice::Kind::info, fill(tr("Saved {0}."), {name_of(saved.path)}));
-  used(saved.path);
+  recent_.used(saved.path);
   if (saved.document_number == editor_.documents) {
     editor_.path = saved.path;
     editor_.read_only = false;
@@ -354,72 +350,11 @@ void DocumentSession::end() {
   (void)autosaver_.write(unix_seconds());
 }
 
-// Recovery and recent files.
+// Work of earlier sessions and recent files.
 
 void DocumentSession::find_offers(Pictures& pictures) {
-  pictures_ = &pictures;
-  // Reading the copies takes time; their places are reserved now, so that nothing moves under the pointer
-  // then.
-  workbench_.offers().recovery_places = recovery_.candidates(unix_seconds());
-  background_.run(
-      {}, [this](const CancelToken&) { return recovery_.leftovers(unix_seconds()); },
-      [this](const std::vector<Leftover>& leftovers) { show_leftovers(leftovers); });
-  background_.run(
-      {}, [this](const CancelToken&) { return recent_.load(); },
-      [this](const std::vector<RecentEntry>& entries) { show_recent(entries); });
-}
-
-void DocumentSession::show_leftovers(const std::vector<Leftover>& leftovers) {
-  auto& offers = workbench_.offers().recoveries;
-  offers.clear();
-  workbench_.offers().recoveries_known = true;
-  for (const Leftover& leftover : leftovers) {
-    RecoveryOffer offer;
-    offer.id = leftover.id;
-    offer.path = leftover.note.original;
-    offer.written_at = leftover.note.written_at;
-    offer.objects = leftover.objects;
-    offer.file_changed = leftover.file_changed;
-    offer.damaged = leftover.damaged;
-    offers.push_back(std::move(offer));
-    if (leftover.damaged) continue;
-    pictures_->request(leftover.copy, [this, id = leftover.id](ImTextureID picture) {
-      for (RecoveryOffer& shown : workbench_.offers().recoveries)
-        if (shown.id == id) shown.picture = picture;
-    });
-  }
-  if (offers.empty() && !workbench_.offers().crash) return;
-  workbench_.offer_recovery();
-  hooks_.log("offers", {});
-}
-
-void DocumentSession::show_recent(const std::vector<RecentEntry>& entries) {
-  auto& recent = workbench_.offers().recent;
-  const std::vector<RecentFile> before = std::exchange(recent, {});
-  for (const RecentEntry& entry : entries) {
-    RecentFile file;
-    file.path = entry.path;
-    file.used_at = entry.used_at;
-    for (const RecentFile& old : before)
-      if (old.path == file.path) file.picture = old.picture;
-    recent.push_back(std::move(file));
-    pictures_->request(entry.path, [this, path = entry.path](ImTextureID picture) {
-      for (RecentFile& shown : workbench_.offers().recent)
-        if (shown.path == path) shown.picture = picture;
-    });
-  }
-}
-
-void DocumentSession::used(const fs::path& path) {
-  background_.run(
-      {},
-      [this, path](const CancelToken&) {
-        (void)recent_.touch(path, unix_seconds());  // a convenience: nothing is lost without it
-        return recent_.load();
-      },
-      [this](const std::vector<RecentEntry>& entries) {
-        if (pictures_) show_recent(entries);
-      });
+  recoveries_.find(pictures);
+  recent_.find(pictures);
 }
 
 void DocumentSession::recover(const std::string& id) {
@@ -460,7 +395,7 @@ void DocumentSession::finish_recovery(const std::string& id, Recovered& recovere
   lock_ = std::move(recovered.attempt.lock);
   autosaver_.adopt(std::move(*recovered.slot),
                    {recovered.copy->document, {document_, editor_.history.serial()}, note});
-  std::erase_if(workbench_.offers().recoveries, [&](const RecoveryOffer& offer) { return offer.id == id; });
+  recoveries_.remove(id);
   workbench_.offers().recovery_places = 0;
   if (in_use)
     editor_.notify(Notice::Kind::warning,
@@ -469,36 +404,6 @@ void DocumentSession::finish_recovery(const std::string& id, Recovered& recovere
   else
     editor_.notify(Notice::Kind::info, tr("The work is recovered. Save it to keep it."));
   hooks_.log("recovered", note.original);
-}
-
-void DocumentSession::discard_recovery(const std::string& id) {
-  const Language& tr = editor_.language;
-  const auto& offers = workbench_.offers().recoveries;
-  const auto offered =
-      std::find_if(offers.begin(), offers.end(), [&](const auto& one) { return one.id == id; });
-  if (offered == offers.end()) return;
-  const std::string name = offered->path.empty() ? tr("Untitled") : name_of(offered->path);
-  workbench_.ask({tr("Discard unsaved work"),
-                  fill(tr("The unsaved work on {0} of {1} will be deleted. This cannot be undone."),
-                       {name, local_time_text(offered->written_at)}),
-                  {{tr("Discard"), "discard_recovery",
-                    [this, id] {
-                      background_.run(
-                          {},
-                          [this, id](const CancelToken&) -> Result<Done> {
-                            auto slot = recovery_.adopt(id, unix_seconds());
-                            if (!slot.ok()) return slot.error();
-                            SystemFileLayer layer;
-                            return RecoverySlot(std::move(slot).value()).clear(layer);
-                          },
-                          [this, id](const Result<Done>& discarded) {
-                            if (!discarded.ok()) editor_.notify(discarded.error());
-                            std::erase_if(workbench_.offers().recoveries,
-                                          [&](const RecoveryOffer& offer) { return offer.id == id; });
-                            hooks_.log("discarded", {});
-                          });
-                    }},
-                   {tr("Cancel"), "cancel", {}}}});
 }
 
 }  // namespace hariko

@@ -12,9 +12,9 @@
 #include "app/files/open_file.hpp"
 #include "app/jobs/background_work.hpp"
 #include "app/persistence/autosaver.hpp"
-#include "app/persistence/recent_files.hpp"
 #include "app/persistence/xdg_folders.hpp"
-#include "app/pictures/pictures.hpp"
+#include "app/recent_offers.hpp"
+#include "app/recovery_offers.hpp"
 #include "ui/shell/workbench.hpp"
 
 namespace hariko {
@@ -50,7 +50,7 @@ class DocumentSession {
   /// Opens a recovery copy of an earlier session.
   void recover(const std::string& id);
   /// Removes a recovery copy of an earlier session.
-  void discard_recovery(const std::string& id);
+  void discard_recovery(const std::string& id) { recoveries_.discard(id); }
 
   /// Notices changes and autosaves when it is time. To be called once in every turn of the event loop.
   void update();
@@ -88,9 +88,6 @@ class DocumentSession {
   void ask_about_change(const std::filesystem::path& path, std::function<void()> then);
   void finish_recovery(const std::string& id, Recovered& recovered);
   void autosave();
-  void used(const std::filesystem::path& path);
-  void show_recent(const std::vector<RecentEntry>& entries);
-  void show_leftovers(const std::vector<Leftover>& leftovers);
   bool is_own_file(const std::filesystem::path& path) const;
   double interval() const;
 
@@ -99,9 +96,9 @@ class DocumentSession {
   Hooks hooks_;
   std::filesystem::path samples_;
   RecoveryStore recovery_;
-  RecentFiles recent_;
+  RecentOffers recent_;
+  RecoveryOffers recoveries_;
   Autosaver autosaver_;
-  Pictures* pictures_ = nullptr;
   std::uint64_t document_ = 0;  ///< Editor::documents when this session last set or saw the document
   Disk disk_;
   FileLock lock_;

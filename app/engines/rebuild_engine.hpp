@@ -64,6 +64,7 @@ class RebuildEngine {
   /// Time since when the displayed view is outdated, by the clock of `sync`.
   double pending_since(ObjectId id) const;
   bool any_pending() const;
+  bool idle() const { return !any_pending(); }
   /// Progress of rebuilding an object, see `ViewBuilder::progress`; negative where it is not pending.
   double progress(ObjectId id) const;
   /// Objects whose surface is older than the document and not being rebuilt.

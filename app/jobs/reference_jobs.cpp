@@ -197,12 +197,4 @@ void ReferenceJobs::find(const fs::path& file) {
       });
 }
 
-void connect(FileActions& actions, ReferenceJobs& jobs) {
-  actions.add_pictures = [&jobs](const auto& files) { jobs.add(files); };
-  actions.pack_pictures = [&jobs](const auto& pictures) { jobs.pack(pictures); };
-  actions.unpack_picture = [&jobs](ObjectId id, const auto& file) { jobs.unpack(id, file); };
-  actions.replace_picture = [&jobs](ObjectId id, const auto& file) { jobs.replace(id, file); };
-  actions.find_pictures = [&jobs](const auto& file) { jobs.find(file); };
-}
-
 }  // namespace hariko

@@ -8,7 +8,6 @@
 
 #include "app/jobs/background_work.hpp"
 #include "core/document/edits/edit_pictures.hpp"
-#include "ui/files/file_actions.hpp"
 
 namespace hariko {
 
@@ -46,8 +45,5 @@ class ReferenceJobs {
   BackgroundWork& work_;
   Log log_;
 };
-
-/// Connects these jobs to the requests of the interface; they must outlive it.
-void connect(FileActions& actions, ReferenceJobs& jobs);
 
 }  // namespace hariko

@@ -14,10 +14,10 @@ namespace {
 using test::HeadlessWorkbench;
 using test::spill;
 
-class OfferOfACrash : public ::testing::Test {
+class OfferOfACrash : public ::testing::Test, protected test::NoServices {
  protected:
   OfferOfACrash()
-      : bench_(document_from_mesh(test::prism(4), "Box").value(), {1280, 900}, actions()),
+      : bench_(document_from_mesh(test::prism(4), "Box").value(), {1280, 900}, this),
         offers_(bench_.editor(), bench_.workbench(), state_, log_, [this](const auto& path) {
           shown_.push_back(path);
           return can_show_;
@@ -44,12 +44,8 @@ class OfferOfACrash : public ::testing::Test {
   CrashOffers offers_;
 
  private:
-  FileActions actions() {
-    FileActions actions;
-    actions.dismiss_crash = [this] { offers_.dismiss(); };
-    actions.show_log_folder = [this] { offers_.show_folder(); };
-    return actions;
-  }
+  void dismiss_crash() override { offers_.dismiss(); }
+  void show_log_folder() override { offers_.show_folder(); }
 };
 
 TEST_F(OfferOfACrash, StandsOnTheStartPage) {

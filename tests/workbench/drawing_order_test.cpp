@@ -182,12 +182,16 @@ TEST(DrawingOrder, RefusalsSayWhy) {
 }
 
 TEST(DrawingOrder, TheDialogChoosesTheFormat) {
-  std::optional<DrawingOrder> lines;
-  std::optional<PictureOrder> picture;
-  FileActions actions;
-  actions.export_drawing = [&](DrawingOrder order) { lines = std::move(order); };
-  actions.export_pictures = [&](PictureOrder order) { picture = std::move(order); };
-  HeadlessWorkbench bench(prism(), {800, 560}, actions);
+  struct Orders final : test::NoServices {
+    void export_drawing(DrawingOrder order) override { lines = std::move(order); }
+    void export_pictures(PictureOrder order) override { picture = std::move(order); }
+    std::optional<DrawingOrder> lines;
+    std::optional<PictureOrder> picture;
+  };
+  Orders orders;
+  const std::optional<DrawingOrder>& lines = orders.lines;
+  const std::optional<PictureOrder>& picture = orders.picture;
+  HeadlessWorkbench bench(prism(), {800, 560}, &orders);
   bench.wait_for_surfaces();
   const auto frames = [&] { bench.frame(), bench.frame(), bench.frame(); };
   const auto shows = [&](const char* mark) { return bench.workbench().marks().all().contains(mark); };

@@ -21,7 +21,7 @@ class ExportDialog : public ::testing::Test {
     if (const auto missing = why_no_cad_files()) GTEST_SKIP() << missing->text;
   }
 
-  const CadSettings& settings() const { return counted_.back(); }
+  const CadSettings& settings() const { return counts_.asked.back(); }
 
   void open() {
     bench_.workbench().commands().run("file.export_cad");
@@ -44,7 +44,7 @@ class ExportDialog : public ::testing::Test {
   }
 
   HeadlessWorkbench& bench() { return bench_; }
-  const std::vector<CadSettings>& counted() const { return counted_; }
+  const std::vector<CadSettings>& counted() const { return counts_.asked; }
 
  private:
   static Document box() { return document_from_mesh(test::prism(4), "Box").value(); }
@@ -69,14 +69,13 @@ class ExportDialog : public ::testing::Test {
     bench_.frame();
   }
 
-  FileActions actions() {
-    FileActions out;
-    out.count_cad = [this](const CadSettings& settings) { counted_.push_back(settings); };
-    return out;
-  }
+  struct Counts final : test::NoServices {
+    void count_cad(const CadSettings& settings) override { asked.push_back(settings); }
+    std::vector<CadSettings> asked;
+  };
 
-  std::vector<CadSettings> counted_;
-  HeadlessWorkbench bench_{box(), {1280, 800}, actions()};
+  Counts counts_;
+  HeadlessWorkbench bench_{box(), {1280, 800}, &counts_};
 };
 
 TEST_F(ExportDialog, WhatWasTypedBeforeCancelIsThereAgain) {

@@ -28,7 +28,7 @@ void write(const fs::path& path, std::size_t bytes, int hours_ago) {
 
 class FileHands : public ::testing::Test {
  protected:
-  FileHands() : bench_(document(), {1280, 800}, actions()) {
+  FileHands() : bench_(document(), {1280, 800}, &imports_) {
     write(folder_.path() / "a10.obj", 30, 1);
     write(folder_.path() / "a2.obj", 10, 3);
     write(folder_.path() / "b.stl", 20, 2);
@@ -39,11 +39,6 @@ class FileHands : public ::testing::Test {
     for (int i = 0; i < 3; ++i) bench_.frame();
   }
   static Document document() { return document_from_mesh(test::prism(4), "Box").value(); }
-  FileActions actions() {
-    FileActions actions;
-    actions.import_file = [this](const fs::path& path) { imported_.push_back(path); };
-    return actions;
-  }
   const std::map<std::string, Marks::Rect>& marks() { return bench_.workbench().marks().all(); }
   int top(const std::string& entry) {
     return marks().contains("entry." + entry) ? marks().at("entry." + entry).y : -1;
@@ -54,7 +49,11 @@ class FileHands : public ::testing::Test {
   }
 
   test::TemporaryFolder folder_;
-  std::vector<fs::path> imported_;
+  struct Imports final : test::NoServices {
+    void import_file(const fs::path& path) override { files.push_back(path); }
+    std::vector<fs::path> files;
+  };
+  Imports imports_;
   HeadlessWorkbench bench_;
 };
 
@@ -86,8 +85,8 @@ TEST_F(FileHands, ArrowsGoThroughTheListAndEnterTakesTheFile) {
   for (int i = 0; i < 3; ++i) bench_.tap("Down");  // the folder, a2, a10
   bench_.tap("Enter");
   bench_.frame();
-  ASSERT_EQ(imported_.size(), 1U);
-  EXPECT_EQ(imported_[0].filename(), "a10.obj");
+  ASSERT_EQ(imports_.files.size(), 1U);
+  EXPECT_EQ(imports_.files[0].filename(), "a10.obj");
 }
 
 TEST_F(FileHands, AClickBesideTheEntriesLeavesTheKeyboardAtTheName) {
@@ -99,8 +98,8 @@ TEST_F(FileHands, AClickBesideTheEntriesLeavesTheKeyboardAtTheName) {
   bench_.type("b.stl");
   bench_.tap("Enter");
   bench_.frame();
-  ASSERT_EQ(imported_.size(), 1U);
-  EXPECT_EQ(imported_[0].filename(), "b.stl");
+  ASSERT_EQ(imports_.files.size(), 1U);
+  EXPECT_EQ(imports_.files[0].filename(), "b.stl");
 }
 
 TEST_F(FileHands, AFolderCanBeMadeAndLeft) {

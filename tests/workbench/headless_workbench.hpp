@@ -13,6 +13,7 @@
 #include "app/engines/rebuild_engine.hpp"
 #include "app/engines/surface_builder.hpp"
 #include "render/offscreen.hpp"
+#include "tests/workbench/no_services.hpp"
 #include "ui/base/fonts.hpp"
 #include "ui/shell/workbench.hpp"
 
@@ -21,8 +22,9 @@ namespace hariko::test {
 class HeadlessWorkbench {
  public:
   /// Asserts that OpenGL is there: where the tests run it must be.
-  /// `actions`: what commands on files do; those left empty do nothing.
-  explicit HeadlessWorkbench(Document document, ImVec2 size = {800, 560}, FileActions actions = {})
+  /// `services`: the application, which is borrowed; null for one that does nothing.
+  explicit HeadlessWorkbench(Document document, ImVec2 size = {800, 560},
+                             ApplicationServices* services = nullptr)
       : context_(OffscreenContext::create().value()), renderer_(Renderer::create().value()) {
     ImGui::CreateContext();
     ImGuiIO& io = ImGui::GetIO();
@@ -36,7 +38,7 @@ class HeadlessWorkbench {
     apply_theme(ThemeId::dark, 1, palette_);
     editor_.views = &engine_.views();
     editor_.open(std::move(document), {});
-    workbench_ = std::make_unique<Workbench>(editor_, renderer_, 1, metrics_, complete(std::move(actions)));
+    workbench_ = std::make_unique<Workbench>(editor_, renderer_, 1, metrics_, services ? *services : none_);
     frame();
     frame();
   }
@@ -197,48 +199,13 @@ class HeadlessWorkbench {
 #endif
   }
 
-  template <class Action>
-  static void complete(std::function<Action>& action) {
-    if (!action) action = [](const auto&...) {};
-  }
-  static FileActions complete(FileActions actions) {
-    complete(actions.open);
-    complete(actions.import_file);
-    complete(actions.save);
-    complete(actions.save_copy);
-    complete(actions.revert);
-    complete(actions.export_file);
-    complete(actions.count_export);
-    complete(actions.count_cad);
-    complete(actions.cancel_count);
-    complete(actions.export_cad);
-    complete(actions.export_pages);
-    complete(actions.export_pictures);
-    complete(actions.export_control);
-    complete(actions.add_pictures);
-    complete(actions.pack_pictures);
-    complete(actions.unpack_picture);
-    complete(actions.replace_picture);
-    complete(actions.find_pictures);
-    complete(actions.convert);
-    complete(actions.add_section);
-    complete(actions.recover);
-    complete(actions.discard_recovery);
-    complete(actions.dismiss_crash);
-    complete(actions.show_log_folder);
-    complete(actions.record);
-    complete(actions.stop_recording);
-    complete(actions.picture);
-    complete(actions.quit);
-    return actions;
-  }
-
   OffscreenContext context_;
   Renderer renderer_;
   Metrics metrics_;
   Palette palette_{};
   Editor editor_;
   RebuildEngine engine_{[] { return std::make_unique<SurfaceBuilder>(); }, [] {}};
+  NoServices none_;
   std::unique_ptr<Workbench> workbench_;
 };
 

@@ -17,7 +17,7 @@ using test::ProgramHands;
 
 class Jobs : public ::testing::Test, protected ProgramHands {
  protected:
-  void save(const char* name) {
+  void save_under(const char* name) {
     press({"Ctrl+S"});
     name_file(name);
     wait();
@@ -100,7 +100,7 @@ TEST_F(Jobs, AMouseTakesAtMostSixtyActions) {
   press({"Alt+Z"});
   drag({500, 700}, {620, 660}, 2);
   press({"V", "V", "Alt+Z"});
-  save("mouse.hariko");
+  save_under("mouse.hariko");
   if (!why_no_cad_files()) {
     click("menu.File");
     click("command.file.export_cad");
@@ -157,7 +157,7 @@ TEST_F(Jobs, ATubeOfThreeSectionsTakesAtMostForty) {
   click("choice.skin_caps.1");
   press({"Alt+Z"});
   drag({500, 700}, {620, 660}, 2);
-  save("tube.hariko");
+  save_under("tube.hariko");
 
   const Skin& skin = *editor().active_object()->skin()->skin;
   EXPECT_EQ(skin.sections.size(), 3U);
@@ -182,7 +182,7 @@ TEST_F(Jobs, AnOutlineTakesAtMostFifteen) {
   press({"Enter"});
   wait();
   press({"Alt+Z"});
-  save("panel.hariko");
+  save_under("panel.hariko");
   expect_at_most(15, "outline");
 }
 

@@ -206,10 +206,13 @@ TEST(PictureOrder, RefusalsSayWhy) {
 }
 
 TEST(PictureOrder, TheDialogGivesTheOrder) {
-  std::optional<PictureOrder> given;
-  FileActions actions;
-  actions.export_pictures = [&](PictureOrder order) { given = std::move(order); };
-  HeadlessWorkbench bench(box_document(), {800, 560}, actions);
+  struct Orders final : test::NoServices {
+    void export_pictures(PictureOrder order) override { last = std::move(order); }
+    std::optional<PictureOrder> last;
+  };
+  Orders orders;
+  const std::optional<PictureOrder>& given = orders.last;
+  HeadlessWorkbench bench(box_document(), {800, 560}, &orders);
   bench.wait_for_surfaces();
   ASSERT_TRUE(bench.workbench().commands().run("file.export_turntable").ran);
   for (int i = 0; i < 5; ++i) bench.frame();  // rows of options find their places
@@ -227,10 +230,13 @@ TEST(PictureOrder, TheDialogGivesTheOrder) {
 }
 
 TEST(PictureOrder, LeavingAsksAboutWorkThatIsNotFinished) {
-  bool left = false;
-  FileActions actions;
-  actions.quit = [&] { left = true; };
-  HeadlessWorkbench bench(box_document(), {800, 560}, actions);
+  struct Leaving final : test::NoServices {
+    void quit() override { left = true; }
+    bool left = false;
+  };
+  Leaving leaving;
+  const bool& left = leaving.left;
+  HeadlessWorkbench bench(box_document(), {800, 560}, &leaving);
   bench.wait_for_surfaces();  // what the status line says of them moves its button
   bench.editor().jobs.push_back(
       std::make_shared<const Job>(Job{"Exporting turn.png", true, CancelToken::make(), Progress::make()}));

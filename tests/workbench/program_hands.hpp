@@ -18,13 +18,13 @@
 
 namespace hariko::test {
 
-class ProgramHands {
+class ProgramHands : private NoServices {
  public:
   enum class Begin { empty, start_page };
   using Folder = std::shared_ptr<const TemporaryFolder>;
   /// In `folder` lie settings, recovery copies and the files of the user. CAD files are not written.
   explicit ProgramHands(Begin begin = Begin::empty, Folder folder = std::make_shared<TemporaryFolder>())
-      : user_(std::move(folder)), bench_(Document(), {1440, 900}, files()) {
+      : user_(std::move(folder)), bench_(Document(), {1440, 900}, this) {
     if (begin == Begin::start_page) bench_.workbench().close_document();
     frames(2);
   }
@@ -168,24 +168,22 @@ class ProgramHands {
   }
 
  private:
-  FileActions files() {
-    FileActions out;
-    out.open = [this](const auto& path) { session_.open(path); };
-    out.save = [this](const auto& path, auto then) { session_.save(path, std::move(then)); };
-    out.recover = [this](const std::string& id) { session_.recover(id); };
-    out.import_file = [this](const auto& path) { exchange_.import_file(path); };
-    out.export_file = [this](const auto& path, const auto& settings) {
-      exchange_.export_file(path, settings);
-    };
-    out.count_export = [this](const auto& path, const auto& settings) {
-      exchange_.count_export(path, settings);
-    };
-    out.cancel_count = [this] { exchange_.cancel_count(); };
-    out.export_pages = [this](const auto& path) { exchange_.export_pages(path); };
-    out.export_cad = [this](const auto& path, const auto&) { exported_ = path; };
-    out.convert = [this](ObjectId object) { conversions_.convert(object); };
-    return out;
+  void open(const std::filesystem::path& path) override { session_.open(path); }
+  void save(const std::filesystem::path& path, std::function<void()> then) override {
+    session_.save(path, std::move(then));
   }
+  void recover(const std::string& id) override { session_.recover(id); }
+  void import_file(const std::filesystem::path& path) override { exchange_.import_file(path); }
+  void export_file(const std::filesystem::path& path, const ExportSettings& settings) override {
+    exchange_.export_file(path, settings);
+  }
+  void count_export(const std::filesystem::path& path, const ExportSettings& settings) override {
+    exchange_.count_export(path, settings);
+  }
+  void cancel_count() override { exchange_.cancel_count(); }
+  void export_pages(const std::filesystem::path& path) override { exchange_.export_pages(path); }
+  void export_cad(const std::filesystem::path& path, const CadSettings&) override { exported_ = path; }
+  void convert(ObjectId object) override { conversions_.convert(object); }
 
   Folder user_;
   std::filesystem::path exported_;

@@ -19,19 +19,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
-class ReferencePicturesByHand : public ::testing::Test {
+class ReferencePicturesByHand : public ::testing::Test, protected test::NoServices {
  protected:
   ReferencePicturesByHand() { frames(3); }
 
-  FileActions actions() {
-    FileActions actions;
-    actions.add_pictures = [this](const auto& files) { jobs.add(files); };
-    actions.pack_pictures = [this](const auto& ids) { jobs.pack(ids); };
-    actions.unpack_picture = [this](ObjectId id, const auto& file) { jobs.unpack(id, file); };
-    actions.replace_picture = [this](ObjectId id, const auto& file) { jobs.replace(id, file); };
-    actions.find_pictures = [this](const auto& file) { jobs.find(file); };
-    return actions;
-  }
+  void add_pictures(const std::vector<fs::path>& files) override { jobs.add(files); }
+  void pack_pictures(const std::vector<ObjectId>& pictures) override { jobs.pack(pictures); }
+  void unpack_picture(ObjectId id, const fs::path& file) override { jobs.unpack(id, file); }
+  void replace_picture(ObjectId id, const fs::path& file) override { jobs.replace(id, file); }
+  void find_pictures(const fs::path& file) override { jobs.find(file); }
   void frames(int count) {
     for (int i = 0; i < count; ++i) bench.frame();
   }
@@ -111,7 +107,7 @@ class ReferencePicturesByHand : public ::testing::Test {
   }
 
   test::TemporaryFolder folder;
-  test::HeadlessWorkbench bench{document_from_mesh(test::cube(), "Cube").value(), {1100, 760}, actions()};
+  test::HeadlessWorkbench bench{document_from_mesh(test::cube(), "Cube").value(), {1100, 760}, this};
   Editor& editor = bench.editor();
   BackgroundWork work{editor, [] {}};
   ReferenceJobs jobs{editor, work, [](const char*, const auto&) {}};

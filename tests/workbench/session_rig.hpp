@@ -25,10 +25,10 @@ inline Document box(const std::string& name = "Box") {
 }
 
 /// A window without a window, with folders of its own.
-class Session {
+class Session : private NoServices {
  public:
   explicit Session(const std::filesystem::path& folder)
-      : bench_(box(), {800, 560}, actions()),
+      : bench_(box(), {800, 560}, this),
         session_(bench_.editor(), bench_.workbench(), {folder / "config", folder / "state", folder / "cache"},
                  folder / "samples",
                  {[] {}, [] {}, [this](const char* what, const auto&) { happened_.emplace_back(what); }}) {}
@@ -64,11 +64,9 @@ class Session {
   }
 
  private:
-  FileActions actions() {
-    FileActions actions;
-    actions.open = [this](const auto& path) { session_.open(path); };
-    actions.save = [this](const auto& path, auto then) { session_.save(path, std::move(then)); };
-    return actions;
+  void open(const std::filesystem::path& path) override { session_.open(path); }
+  void save(const std::filesystem::path& path, std::function<void()> then) override {
+    session_.save(path, std::move(then));
   }
 
   std::vector<std::string> happened_;

@@ -22,7 +22,7 @@ const std::vector<std::string> ways{"start.polyhedron", "start.solids", "start.s
 /// The start page with all samples; `pictured` gets those whose pictures were asked for.
 class StartPageBench {
  public:
-  explicit StartPageBench(ImVec2 size = {1280, 800}) : bench_(Document(), size, actions()) {
+  explicit StartPageBench(ImVec2 size = {1280, 800}) : bench_(Document(), size, &asked_) {
     bench_.workbench().samples() = find_samples(test::source_folder() + "/assets");
     bench_.editor().has_document = false;
     bench_.frame();
@@ -30,21 +30,20 @@ class StartPageBench {
   }
   HeadlessWorkbench* operator->() { return &bench_; }
   const std::map<std::string, Marks::Rect>& marks() { return bench_.workbench().marks().all(); }
-  const std::set<std::string>& pictured() const { return pictured_; }
-  const std::vector<std::filesystem::path>& opened() const { return opened_; }
+  const std::set<std::string>& pictured() const { return asked_.pictured; }
+  const std::vector<std::filesystem::path>& opened() const { return asked_.opened; }
 
  private:
-  FileActions actions() {
-    FileActions actions;
-    actions.picture = [this](Sample& sample) {
+  struct Asked final : test::NoServices {
+    void give_picture(Sample& sample) override {
       sample.wanted = true;
-      pictured_.insert(sample.path.stem().string());
-    };
-    actions.open = [this](const std::filesystem::path& path) { opened_.push_back(path); };
-    return actions;
-  }
-  std::set<std::string> pictured_;
-  std::vector<std::filesystem::path> opened_;
+      pictured.insert(sample.path.stem().string());
+    }
+    void open(const std::filesystem::path& path) override { opened.push_back(path); }
+    std::set<std::string> pictured;
+    std::vector<std::filesystem::path> opened;
+  };
+  Asked asked_;
   HeadlessWorkbench bench_;
 };
 

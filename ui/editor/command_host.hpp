@@ -11,6 +11,7 @@
 
 namespace hariko {
 
+class ApplicationServices;
 class CommandServices;
 class Viewport;
 
@@ -19,6 +20,7 @@ struct CommandHost {
   Editor& editor;
   Viewport& viewport;
   CommandServices& services;
+  ApplicationServices& application;
 };
 
 /// A folder of a menu: submenu("Select", translatable("Convert")).

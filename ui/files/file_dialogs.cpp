@@ -25,12 +25,12 @@ std::vector<std::string> openable_endings(bool cad) {
 }
 
 FileDialogs::FileDialogs(Editor& editor, const Viewport& viewport, Marks& marks, const Metrics& metrics,
-                         const FileActions& actions)
-    : editor_(editor), viewport_(viewport), marks_(marks), metrics_(metrics), actions_(actions) {}
+                         ApplicationServices& application)
+    : editor_(editor), viewport_(viewport), marks_(marks), metrics_(metrics), application_(application) {}
 
 void FileDialogs::draw(PanelContext& context) {
   dialog_.draw(context);
-  if (!dialog_.is_open() && std::exchange(counting_, false)) actions_.cancel_count();
+  if (!dialog_.is_open() && std::exchange(counting_, false)) application_.cancel_count();
 }
 
 ExportMemory FileDialogs::remembered() const {
@@ -58,7 +58,7 @@ void FileDialogs::save_as(std::function<void()> then) {
                 true,
                 {".hariko"},
                 name_proposal(),
-                [this, then = std::move(then)](const auto& path) { actions_.save(path, then); }});
+                [this, then = std::move(then)](const auto& path) { application_.save(path, then); }});
 }
 
 void FileDialogs::save_copy() {
@@ -71,7 +71,7 @@ void FileDialogs::save_copy() {
                 true,
                 {".hariko"},
                 name.parent_path() / copy,
-                [this](const auto& path) { actions_.save_copy(path); }});
+                [this](const auto& path) { application_.save_copy(path); }});
 }
 
 void FileDialogs::export_triangles() {
@@ -81,13 +81,13 @@ void FileDialogs::export_triangles() {
                 true,
                 {".obj", ".stl", ".3mf", ".ply", ".glb", ".gltf", ".off"},
                 proposal,
-                [this](const auto& path) { actions_.export_file(path, export_options_.settings()); },
+                [this](const auto& path) { application_.export_file(path, export_options_.settings()); },
                 [this](const std::filesystem::path& name) {
                   if (export_options_.draw(editor_, marks_, metrics_, name))
-                    actions_.count_export(name, export_options_.settings());
+                    application_.count_export(name, export_options_.settings());
                 }});
   export_options_.begin(editor_, proposal);
-  actions_.count_export(proposal, export_options_.settings());
+  application_.count_export(proposal, export_options_.settings());
   counting_ = true;
 }
 
@@ -98,13 +98,13 @@ void FileDialogs::export_cad() {
                 true,
                 {".step", ".stp", ".iges", ".igs"},
                 proposal,
-                [this](const auto& path) { actions_.export_cad(path, cad_options_.settings()); },
+                [this](const auto& path) { application_.export_cad(path, cad_options_.settings()); },
                 [this](const std::filesystem::path& name) {
                   if (cad_options_.draw(editor_, marks_, metrics_, name))
-                    actions_.count_cad(cad_options_.settings());
+                    application_.count_cad(cad_options_.settings());
                 }});
   cad_options_.begin(editor_);
-  actions_.count_cad(cad_options_.settings());
+  application_.count_cad(cad_options_.settings());
   counting_ = true;
 }
 
@@ -115,7 +115,7 @@ void FileDialogs::export_control() {
                 true,
                 {".obj"},
                 proposal,
-                [this](const auto& path) { actions_.export_control(path); }});
+                [this](const auto& path) { application_.export_control(path); }});
 }
 
 void FileDialogs::write_picture(const std::filesystem::path& path, bool turntable) {
@@ -123,12 +123,12 @@ void FileDialogs::write_picture(const std::filesystem::path& path, bool turntabl
   if (!turntable && picture_ending_ == ".svg") {
     auto order = order_drawing(editor_, viewport_.scene(), drawing_options_.settings(), path);
     if (!order) return editor_.notify(order.error());
-    return actions_.export_drawing(std::move(order).value());
+    return application_.export_drawing(std::move(order).value());
   }
   auto order = turntable ? order_turntable(editor_, viewport_.scene(), picture_settings_, path)
                          : order_picture(editor_, viewport_.scene(), picture_settings_, path);
   if (!order) return editor_.notify(order.error());
-  actions_.export_pictures(std::move(order).value());
+  application_.export_pictures(std::move(order).value());
 }
 
 void FileDialogs::picture(bool turntable) {
@@ -166,7 +166,7 @@ void FileDialogs::open(std::function<void(const std::filesystem::path&)> accept)
 void FileDialogs::import() {
   dialog_.open({translatable("Import"), translatable("Import"), false,
                 importable_endings(!why_no_cad_files()), folder_proposal(),
-                [this](const auto& path) { actions_.import_file(path); },
+                [this](const auto& path) { application_.import_file(path); },
                 [this](const auto&) { draw_mesh_options(editor_, marks_, metrics_); }});
 }
 
@@ -183,19 +183,19 @@ FileDialog::Request picture_request(std::string title, std::filesystem::path fol
 
 void FileDialogs::add_picture() {
   dialog_.open(picture_request(translatable("Add reference picture"), folder_proposal(),
-                               [this](const auto& path) { actions_.add_pictures({path}); }));
+                               [this](const auto& path) { application_.add_pictures({path}); }));
 }
 
 void FileDialogs::replace_picture(ObjectId picture) {
   dialog_.open(
       picture_request(translatable("Choose another picture"), folder_proposal(),
-                      [this, picture](const auto& path) { actions_.replace_picture(picture, path); }));
+                      [this, picture](const auto& path) { application_.replace_picture(picture, path); }));
 }
 
 void FileDialogs::find_pictures(const std::string& name) {
   editor_.show_text(name);
   dialog_.open(picture_request(fill(editor_.language("Where is {0}?"), {name}), folder_proposal(),
-                               [this](const auto& path) { actions_.find_pictures(path); }));
+                               [this](const auto& path) { application_.find_pictures(path); }));
 }
 
 void FileDialogs::unpack_picture(ObjectId picture) {
@@ -207,7 +207,7 @@ void FileDialogs::unpack_picture(ObjectId picture) {
                 true,
                 {is_reference_file(name) ? lower_ending(name) : std::string(".png")},
                 folder_proposal() / name.filename(),
-                [this, picture](const auto& path) { actions_.unpack_picture(picture, path); }});
+                [this, picture](const auto& path) { application_.unpack_picture(picture, path); }});
 }
 
 void FileDialogs::export_keys() {
@@ -250,7 +250,7 @@ void FileDialogs::export_pages() {
                 true,
                 {".pdf", ".svg", ".dxf", ".png"},
                 proposal,
-                [this](const auto& path) { actions_.export_pages(path); }});
+                [this](const auto& path) { application_.export_pages(path); }});
 }
 
 void FileDialogs::record() {
@@ -261,7 +261,7 @@ void FileDialogs::record() {
                 true,
                 {".jsonl"},
                 proposal,
-                [this](const auto& path) { actions_.record(path); }});
+                [this](const auto& path) { application_.record(path); }});
 }
 
 std::filesystem::path FileDialogs::name_proposal() const {

@@ -10,9 +10,9 @@
 #include "ui/files/cad_options.hpp"
 #include "ui/files/export_memory.hpp"
 #include "ui/files/export_options.hpp"
-#include "ui/files/file_actions.hpp"
 #include "ui/files/file_dialog.hpp"
 #include "ui/files/picture_options.hpp"
+#include "ui/widgets/application_services.hpp"
 
 namespace hariko {
 
@@ -28,7 +28,7 @@ class FileDialogs {
  public:
   /// All are borrowed.
   FileDialogs(Editor& editor, const Viewport& viewport, Marks& marks, const Metrics& metrics,
-              const FileActions& actions);
+              ApplicationServices& application);
 
   /// Any kind of file.
   void open(std::function<void(const std::filesystem::path&)> accept);
@@ -80,7 +80,7 @@ class FileDialogs {
   const Viewport& viewport_;
   Marks& marks_;
   const Metrics& metrics_;
-  const FileActions& actions_;
+  ApplicationServices& application_;
   FileDialog dialog_;
   bool counting_ = false;  ///< something may be counted for the dialog
   ExportOptions export_options_;

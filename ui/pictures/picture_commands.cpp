@@ -10,6 +10,7 @@
 #include "ui/editor/selected_items.hpp"
 #include "ui/pictures/picture_scale_tool.hpp"
 #include "ui/view/viewport.hpp"
+#include "ui/widgets/application_services.hpp"
 #include "ui/widgets/command_services.hpp"
 
 namespace hariko {
@@ -42,10 +43,11 @@ void scale_by_points(CommandHost& host) {
 void add_file_rows(CommandHost& host, const std::string& menu) {
   Editor& editor = host.editor;
   CommandServices& services = host.services;
+  ApplicationServices& application = host.application;
   const WhyNot picture = needs_picture(editor);
   host.table.add({"picture.pack", menu, "Pack into the document",
                   "Take the files of the chosen pictures into the document, so that they go where it goes.",
-                  "", "", true, true, [&] { services.pack_pictures(chosen_pictures(editor, false)); },
+                  "", "", true, true, [&] { application.pack_pictures(chosen_pictures(editor, false)); },
                   [&editor, picture]() -> Reason {
                     if (auto reason = picture()) return reason;
                     if (!chosen_pictures(editor, false).empty()) return {};

@@ -3,6 +3,7 @@
 
 #include "ui/base/icons.hpp"
 #include "ui/shell/offers_panel.hpp"
+#include "ui/widgets/application_services.hpp"
 
 namespace hariko {
 
@@ -34,10 +35,10 @@ void draw_crash_offer(PanelContext& context, float width) {
   }
   context.marks.item("crash.copy");
   ImGui::SameLine();
-  if (ImGui::Button(tr("Open folder"))) context.show_log_folder();
+  if (ImGui::Button(tr("Open folder"))) context.application.show_log_folder();
   context.marks.item("crash.folder");
   ImGui::SameLine();
-  if (ImGui::Button(tr("Dismiss"))) context.dismiss_crash();
+  if (ImGui::Button(tr("Dismiss"))) context.application.dismiss_crash();
   context.marks.item("crash.dismiss");
   ImGui::EndGroup();
 

@@ -70,7 +70,7 @@ void add_file_commands(CommandHost& host, Workbench& workbench) {
              [&workbench] { workbench.files().save_copy(); }, document});
   table.add({"file.revert", "File", "Revert to the file",
              "Bring back what the file holds. Undo takes it back.", "", "", true, false,
-             [&workbench] { workbench.revert(); },
+             [&host] { host.application.revert(); },
              [&editor]() -> Reason {
                if (!editor.has_document || !editor.path) return "The document was never saved.";
                return {};

@@ -54,14 +54,14 @@ void add_help_commands(CommandHost& host, Workbench& workbench) {
              }});
   table.add({"help.stop_recording", translatable("Help"), translatable("Stop recording"),
              translatable("End the replay that is being recorded."), "", "", false, false,
-             [&workbench] { workbench.stop_recording(); },
+             [&host] { host.application.stop_recording(); },
              [&editor]() -> Reason {
                if (editor.recording) return {};
                return translatable("No replay is being recorded.");
              }});
   table.add({"help.log", translatable("Help"), translatable("Open the log folder"),
              translatable("Show the files that a report about a mistake of the program needs."), "", "",
-             false, false, [&workbench] { workbench.show_log_folder(); }});
+             false, false, [&host] { host.application.show_log_folder(); }});
   table.add({"help.about", translatable("Help"), translatable("About Hariko"),
              translatable("Version, graphics driver and licences."), "", icon::info, false, true,
              [&workbench, &editor] { show_about(workbench, editor.language); }});

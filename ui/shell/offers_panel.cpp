@@ -7,7 +7,9 @@
 #include "ui/base/icons.hpp"
 #include "ui/base/text_lines.hpp"
 #include "ui/shell/crash_offer.hpp"
+#include "ui/widgets/application_services.hpp"
 #include "ui/widgets/card_focus.hpp"
+#include "ui/widgets/command_services.hpp"
 #include "ui/widgets/sample_cards.hpp"
 #include "ui/widgets/tips.hpp"
 
@@ -76,13 +78,13 @@ void recovery_card(PanelContext& context, const RecoveryOffer& offer, float widt
     ImGui::PushStyleColor(ImGuiCol_Button, with_alpha(palette().accent, 0.35F));
     const bool pressed = ImGui::Button(tr("Recover"), {m.px(110), 0});
     context.marks.item("recovery.recover");
-    if (by_key(context, "recover." + offer.id) || pressed) context.recover(offer.id);
+    if (by_key(context, "recover." + offer.id) || pressed) context.application.recover(offer.id);
     ImGui::PopStyleColor();
     ImGui::SameLine();
   }
   const bool discarded = ImGui::Button(tr("Discard"), {m.px(110), 0});
   context.marks.item("recovery.discard");
-  if (by_key(context, "discard." + offer.id) || discarded) context.discard_recovery(offer.id);
+  if (by_key(context, "discard." + offer.id) || discarded) context.application.discard_recovery(offer.id);
   ImGui::PopID();
   ImGui::SetCursorScreenPos({at.x, at.y + height + m.px(8)});
   ImGui::Dummy({width, 1});
@@ -143,7 +145,7 @@ bool draw_recent_files(PanelContext& context, float width, std::size_t most) {
     ImGui::SetCursorScreenPos({first.x + column * (card + spacing), first.y + row * (size.y + spacing)});
     if (!recent_card(context, files[i], size)) continue;
     chosen = true;
-    context.open(files[i].path);
+    context.services.open_guarded(files[i].path);
   }
   return chosen;
 }

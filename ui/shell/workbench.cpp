@@ -44,13 +44,13 @@ std::vector<std::unique_ptr<ViewLayer>> view_layers() {
 }  // namespace
 
 Workbench::Workbench(Editor& editor, Renderer& renderer, int quick_samples, const Metrics& metrics,
-                     FileActions actions)
+                     ApplicationServices& application)
     : editor_(editor),
       viewport_(editor, renderer, quick_samples, view_layers()),
       metrics_(metrics),
-      actions_(std::move(actions)),
-      host_{commands_, editor_, viewport_, *this},
-      files_(editor, viewport_, marks_, metrics, actions_) {
+      application_(application),
+      host_{commands_, editor_, viewport_, *this, application},
+      files_(editor, viewport_, marks_, metrics, application) {
   add_commands();
 }
 
@@ -137,21 +137,8 @@ void Workbench::frame() {
   panel_state_.field_opening = false;
   apply_keys();
   keyboard_.begin_frame(preferences_.is_open());
-  PanelContext context{editor_,
-                       commands_,
-                       marks_,
-                       metrics_,
-                       panel_state_,
-                       samples_,
-                       actions_.picture,
-                       [this](const std::filesystem::path& path) { open_guarded(path); },
-                       viewport_.hint(),
-                       editor_.language,
-                       offers_,
-                       actions_.recover,
-                       actions_.discard_recovery,
-                       actions_.dismiss_crash,
-                       actions_.show_log_folder};
+  PanelContext context{editor_, commands_,    marks_,           metrics_,         panel_state_, samples_,
+                       *this,   application_, viewport_.hint(), editor_.language, offers_};
   // What a gesture shows is not done yet.
   if (!editor_.history.in_gesture())
     editor_.guide.look({editor_.history.current(), editor_.exports, shows_zebra(editor_)});
@@ -361,12 +348,12 @@ void Workbench::guarded(std::function<void()> action) {
 }
 
 void Workbench::open_guarded(const std::filesystem::path& path) {
-  guarded([this, path] { actions_.open(path); });
+  guarded([this, path] { application_.open(path); });
 }
 
 void Workbench::save(std::function<void()> then) {
   if (editor_.path && !editor_.read_only)
-    actions_.save(*editor_.path, std::move(then));
+    application_.save(*editor_.path, std::move(then));
   else
     files_.save_as(std::move(then));
 }
@@ -390,11 +377,11 @@ void Workbench::show_samples() {
 void Workbench::quit() {
   guarded([this] {
     const Job* job = editor_.cancellable_job();
-    if (!job) return actions_.quit();
+    if (!job) return application_.quit();
     const Language& tr = editor_.language;
     ask({tr("Work in progress"),
          fill(tr("{0} is not finished. Leaving now cancels it."), {tr.phrase(job->text)}),
-         {{tr("Wait"), "wait", {}}, {tr("Leave"), "leave", actions_.quit}}});
+         {{tr("Wait"), "wait", {}}, {tr("Leave"), "leave", [this] { application_.quit(); }}}});
   });
 }
 

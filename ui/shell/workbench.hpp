@@ -17,6 +17,7 @@
 #include "ui/shell/preferences.hpp"
 #include "ui/shell/start_page.hpp"
 #include "ui/view/viewport.hpp"
+#include "ui/widgets/application_services.hpp"
 #include "ui/widgets/command_services.hpp"
 #include "ui/widgets/panels.hpp"
 #include "ui/widgets/prompt.hpp"
@@ -32,7 +33,7 @@ struct CommandLog {
 class Workbench final : public CommandServices {
  public:
   Workbench(Editor& editor, Renderer& renderer, int quick_samples, const Metrics& metrics,
-            FileActions actions);
+            ApplicationServices& application);
   Workbench(const Workbench&) = delete;
   Workbench& operator=(const Workbench&) = delete;
 
@@ -62,11 +63,9 @@ class Workbench final : public CommandServices {
   const Prompt::Request* question() const { return prompt_.question(); }
   /// Does something that replaces the document or ends the program, after asking about unsaved work.
   void guarded(std::function<void()> action);
-  /// Opens a file, whatever kind it is, after asking about unsaved work.
-  void open_guarded(const std::filesystem::path& path);
+  void open_guarded(const std::filesystem::path& path) override;
   void save(std::function<void()> then);
   void new_document();
-  void revert() { actions_.revert(); }
   /// Shows what a session left that crashed, where the start page does not.
   void offer_recovery();
   void show_recent() { offers_dialog_.open(OffersDialog::Kind::recent); }
@@ -80,16 +79,11 @@ class Workbench final : public CommandServices {
   /// Brings a row of the properties into sight, and the keyboard to its field.
   void show_property(std::string id) { panel_state_.wanted_row = std::move(id); }
   FileDialogs& files() { return files_; }
-  void convert(ObjectId object) override { actions_.convert(object); }
-  void add_section(ObjectId skin, double place) override { actions_.add_section(skin, place); }
   void export_pages() override { files_.export_pages(); }
   void add_picture() override { files_.add_picture(); }
   void replace_picture(ObjectId picture) override { files_.replace_picture(picture); }
   void unpack_picture(ObjectId picture) override { files_.unpack_picture(picture); }
   void find_pictures(const std::string& missing) override { files_.find_pictures(missing); }
-  void pack_pictures(const std::vector<ObjectId>& pictures) override { actions_.pack_pictures(pictures); }
-  void stop_recording() { actions_.stop_recording(); }
-  void show_log_folder() { actions_.show_log_folder(); }
   /// Panels as after the start of the program: closed or open by default, scrolled to their beginnings.
   void forget_interface();
   void close_document();
@@ -115,7 +109,7 @@ class Workbench final : public CommandServices {
   Editor& editor_;
   Viewport viewport_;
   const Metrics& metrics_;
-  FileActions actions_;
+  ApplicationServices& application_;
   CommandTable commands_;
   CommandHost host_;
   Marks marks_;

@@ -14,6 +14,7 @@
 #include "ui/skin/skin_commands.hpp"
 #include "ui/skin/slide_section_tool.hpp"
 #include "ui/view/viewport.hpp"
+#include "ui/widgets/application_services.hpp"
 #include "ui/widgets/command_services.hpp"
 
 namespace hariko {
@@ -172,13 +173,13 @@ void add_section_commands(CommandHost& host) {
   host.table.add(
       {"skin.add_section", "Skin", "Add section",
        "A section taken from the surface, in the middle behind the selected one.", "", "", true, true,
-       [&host, &editor] { host.services.add_section(shown_skin(editor)->id, place_for_section(editor)); },
+       [&host, &editor] { host.application.add_section(shown_skin(editor)->id, place_for_section(editor)); },
        skin});
   host.table.add({"skin.section_here", "Skin", "Add section by click\u2026",
                   "A section taken from the surface where it is clicked.", "", "", false, false,
                   [&host] {
                     host.viewport.start_modal(make_add_section_tool([&host](ObjectId object, double place) {
-                      host.services.add_section(object, place);
+                      host.application.add_section(object, place);
                     }));
                   },
                   skin});
@@ -273,7 +274,7 @@ void add_skin_commands(CommandHost& host) {
   add_path_commands(host);
   host.table.add({"skin.to_polyhedron", "Skin", "Convert to polyhedron",
                   "A polyhedron through points of the surface, with its tangent planes; the skin is hidden.",
-                  "", "", false, true, [&host, &editor] { host.services.convert(shown_skin(editor)->id); },
+                  "", "", false, true, [&host, &editor] { host.application.convert(shown_skin(editor)->id); },
                   skin});
 }
 

@@ -14,7 +14,7 @@
 #include "ui/solids/new_solids.hpp"
 #include "ui/solids/place_solid_tool.hpp"
 #include "ui/view/viewport.hpp"
-#include "ui/widgets/command_services.hpp"
+#include "ui/widgets/application_services.hpp"
 
 namespace hariko {
 
@@ -183,7 +183,7 @@ void add_solid_commands(CommandHost& host) {
       {"solid.to_polyhedron", "Solids", "Convert to polyhedron",
        "The corners of the surface become a polyhedron whose vertices and normals can be edited; the "
        "solids are kept, hidden.",
-       "", "", true, true, [&host, &editor] { host.services.convert(editor.selection.active); },
+       "", "", true, true, [&host, &editor] { host.application.convert(editor.selection.active); },
        [&editor, object] { return needs_solids(editor, object); }});
 }
 

@@ -15,7 +15,7 @@ namespace hariko {
 
 /// Work that a session left behind when it ended without saving.
 struct RecoveryOffer {
-  std::string id;               ///< for PanelContext::recover and discard_recovery
+  std::string id;               ///< for ApplicationServices::recover and discard_recovery
   std::filesystem::path path;   ///< the file it was opened from; empty when it was never saved
   std::int64_t written_at = 0;  ///< seconds since 1970, UTC
   std::size_t objects = 0;

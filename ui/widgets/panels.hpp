@@ -70,7 +70,9 @@ struct PanelState {
   std::shared_ptr<const MeasuredSections> measured_sections;  ///< of the skin that was shown last
 };
 
+class ApplicationServices;
 class CardFocus;
+class CommandServices;
 
 /// What the panels need from the rest.
 struct PanelContext {
@@ -80,16 +82,11 @@ struct PanelContext {
   const Metrics& metrics;
   PanelState& state;
   std::vector<Sample>& samples;
-  /// Gets a sample its picture, at once or later.
-  std::function<void(Sample&)> picture;
-  std::function<void(const std::filesystem::path&)> open;
+  CommandServices& services;
+  ApplicationServices& application;
   std::string tool_hint;
   const Language& tr;
   const Offers& offers;
-  /// Both by the id of a RecoveryOffer.
-  std::function<void(const std::string&id)> recover, discard_recovery;
-  /// Of the crash that is offered.
-  std::function<void()> dismiss_crash, show_log_folder;
   CardFocus* focus = nullptr;  ///< of the page that is being drawn, where keys choose
 
   /// Runs a command; when it cannot run, its reason becomes a notice.

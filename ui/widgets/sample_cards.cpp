@@ -4,7 +4,9 @@
 #include <utility>
 
 #include "ui/base/text_lines.hpp"
+#include "ui/widgets/application_services.hpp"
 #include "ui/widgets/card_focus.hpp"
+#include "ui/widgets/command_services.hpp"
 #include "ui/widgets/tips.hpp"
 
 namespace hariko {
@@ -41,7 +43,7 @@ bool draw_card(PanelContext& context, const Card& card, ImVec2 size, std::size_t
   ImDrawList& draw = *ImGui::GetWindowDrawList();
   draw.AddRectFilled(low, high, hovered ? palette().field_hover : palette().panel, radius);
   const ImVec2 picture_high(high.x, low.y + size.x / picture_aspect);
-  if (card.pictured && !card.pictured->wanted) context.picture(*card.pictured);
+  if (card.pictured && !card.pictured->wanted) context.application.give_picture(*card.pictured);
   if (card.pictured && card.pictured->picture.texture)
     fill_with(card.pictured->picture, low, picture_high, radius);
   else
@@ -114,7 +116,7 @@ bool draw_samples(PanelContext& context, float left, float width, int columns) {
     const int picked = grid.draw(lines);
     if (picked < 0) continue;
     chosen = true;
-    context.open(paths[static_cast<std::size_t>(picked)]);
+    context.services.open_guarded(paths[static_cast<std::size_t>(picked)]);
   }
   return chosen;
 }
