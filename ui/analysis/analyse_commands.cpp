@@ -105,53 +105,76 @@ void add_maps(CommandHost& host) {
   const WhyNot document = needs_document(editor);
   for (const Entry& entry : entries) {
     const SurfaceMap map = entry.map;
-    host.table.add({entry.id, "Analyse", entry.label, entry.help, entry.keys, "", false, false,
-                    [&editor, map] { show_map(editor, map); },
-                    [&editor, document, map]() -> Reason {
-                      if (auto reason = document()) return reason;
-                      return nothing_shows(editor, map);
-                    },
-                    [&editor, map] { return editor.view.map.map.value_or(SurfaceMap::shaded) == map; }});
+    host.table.add(
+        {.id = entry.id,
+         .menu = "Analyse",
+         .label = entry.label,
+         .help = entry.help,
+         .keys = entry.keys,
+         .run = [&editor, map] { show_map(editor, map); },
+         .why_not = [&editor, document, map]() -> Reason {
+           if (auto reason = document()) return reason;
+           return nothing_shows(editor, map);
+         },
+         .checked = [&editor, map] { return editor.view.map.map.value_or(SurfaceMap::shaded) == map; }});
   }
 }
 
 void add_switches(CommandHost& host) {
   Editor& editor = host.editor;
-  const auto flag = [&](const char* id, const char* menu, const char* label, const char* help,
-                        const char* keys, const char* step, bool& (*get)(DisplaySettings&),
-                        const WhyNot& why_not, bool first) {
-    host.table.add({id, menu, label, help, keys, "", true, first,
-                    [&editor, get, step] {
-                      change_display(
-                          editor, step, [get](DisplaySettings& d) { get(d) = !get(d); },
-                          [get](DisplaySettings from, DisplaySettings& to) { get(to) = get(from); });
-                    },
-                    why_not, shows(editor, [get](DisplaySettings d) { return get(d); })});
+  using Flag = bool& (*)(DisplaySettings&);
+  const auto flag = [&](Command row, const char* step, Flag get) {
+    row.changes_document = true;
+    row.run = [&editor, get, step] {
+      change_display(
+          editor, step, [get](DisplaySettings& d) { get(d) = !get(d); },
+          [get](DisplaySettings from, DisplaySettings& to) { get(to) = get(from); });
+    };
+    row.checked = shows(editor, [get](DisplaySettings d) { return get(d); });
+    host.table.add(std::move(row));
+  };
+  const auto show = [&](const char* id, const char* label, const char* help, const WhyNot& why_not,
+                        const char* step, Flag get) {
+    flag({.id = id,
+          .menu = "View/Show",
+          .label = label,
+          .help = help,
+          .while_tool_runs = true,
+          .why_not = why_not},
+         step, get);
   };
   const WhyNot surface = needs_shown_surface(editor), curves = needs_shown_surface(editor, true),
                polyhedron = needs_polyhedron(editor);
-  flag(
-      "analyse.combs", "Analyse", "Curvature combs", "Show teeth as long as the network's curves are curved.",
-      "Alt+C", "Curvature combs", [](DisplaySettings& d) -> bool& { return d.combs.shown; }, curves, true);
-  flag(
-      "analyse.marks", "Analyse", "Edge continuity", "Mark the edges by their continuity: G0, G1, G2.",
-      "Alt+E", "Edge continuity", [](DisplaySettings& d) -> bool& { return d.marks; }, curves, false);
-  flag(
-      "analyse.tensions", "Analyse", "Tensions", "Show tensions as colours and numbers.", "Alt+T",
-      "Show tensions", [](DisplaySettings& d) -> bool& { return d.tensions; }, polyhedron, false);
-  flag(
-      "show.surface", "View/Show", "Surface", "Show the surface.", "", "Show surface",
-      [](DisplaySettings& d) -> bool& { return d.surface; }, surface, false);
-  flag(
-      "show.polyhedron", "View/Show", "Polyhedron",
-      "Show the polyhedron, or what else the surface is made from.", "", "Show polyhedron",
-      [](DisplaySettings& d) -> bool& { return d.polyhedron; }, surface, false);
-  flag(
-      "show.network", "View/Show", "Network", "Show the curves over the edges.", "", "Show network",
-      [](DisplaySettings& d) -> bool& { return d.network; }, curves, false);
-  flag(
-      "show.points", "View/Show", "Points", "Show the vertices.", "", "Show points",
-      [](DisplaySettings& d) -> bool& { return d.points; }, polyhedron, false);
+  flag({.id = "analyse.combs",
+        .menu = "Analyse",
+        .label = "Curvature combs",
+        .help = "Show teeth as long as the network's curves are curved.",
+        .keys = "Alt+C",
+        .separator_before = true,
+        .why_not = curves},
+       "Curvature combs", [](DisplaySettings& d) -> bool& { return d.combs.shown; });
+  flag({.id = "analyse.marks",
+        .menu = "Analyse",
+        .label = "Edge continuity",
+        .help = "Mark the edges by their continuity: G0, G1, G2.",
+        .keys = "Alt+E",
+        .why_not = curves},
+       "Edge continuity", [](DisplaySettings& d) -> bool& { return d.marks; });
+  flag({.id = "analyse.tensions",
+        .menu = "Analyse",
+        .label = "Tensions",
+        .help = "Show tensions as colours and numbers.",
+        .keys = "Alt+T",
+        .why_not = polyhedron},
+       "Show tensions", [](DisplaySettings& d) -> bool& { return d.tensions; });
+  show("show.surface", "Surface", "Show the surface.", surface, "Show surface",
+       [](DisplaySettings& d) -> bool& { return d.surface; });
+  show("show.polyhedron", "Polyhedron", "Show the polyhedron, or what else the surface is made from.",
+       surface, "Show polyhedron", [](DisplaySettings& d) -> bool& { return d.polyhedron; });
+  show("show.network", "Network", "Show the curves over the edges.", curves, "Show network",
+       [](DisplaySettings& d) -> bool& { return d.network; });
+  show("show.points", "Points", "Show the vertices.", polyhedron, "Show points",
+       [](DisplaySettings& d) -> bool& { return d.points; });
 }
 
 void add_combs(CommandHost& host) {
@@ -164,21 +187,27 @@ void add_combs(CommandHost& host) {
     return {};
   };
   const auto add = [&](const char* id, const char* label, const char* help, double scale, int density) {
-    host.table.add({id, "Analyse/Combs", label, help, "", "", true, false,
-                    [&editor, scale, density] {
-                      change_display(
-                          editor, "Curvature combs",
-                          [scale, density](DisplaySettings& d) {
-                            d.combs.scale = std::clamp(d.combs.scale * scale, CombSettings::min_scale,
-                                                       CombSettings::max_scale);
-                            const int wanted = density > 0 ? d.combs.density * 2 : d.combs.density / 2;
-                            if (density != 0)
-                              d.combs.density =
-                                  std::clamp(wanted, CombSettings::min_density, CombSettings::max_density);
-                          },
-                          [](const DisplaySettings& from, DisplaySettings& to) { to.combs = from.combs; });
-                    },
-                    why_not});
+    host.table.add(
+        {.id = id,
+         .menu = "Analyse/Combs",
+         .label = label,
+         .help = help,
+         .changes_document = true,
+         .run =
+             [&editor, scale, density] {
+               change_display(
+                   editor, "Curvature combs",
+                   [scale, density](DisplaySettings& d) {
+                     d.combs.scale =
+                         std::clamp(d.combs.scale * scale, CombSettings::min_scale, CombSettings::max_scale);
+                     const int wanted = density > 0 ? d.combs.density * 2 : d.combs.density / 2;
+                     if (density != 0)
+                       d.combs.density =
+                           std::clamp(wanted, CombSettings::min_density, CombSettings::max_density);
+                   },
+                   [](const DisplaySettings& from, DisplaySettings& to) { to.combs = from.combs; });
+             },
+         .why_not = why_not});
   };
   add("analyse.combs_longer", "Longer teeth", "Double the length of the teeth.", 2, 0);
   add("analyse.combs_shorter", "Shorter teeth", "Halve the length of the teeth.", 0.5, 0);
@@ -202,56 +231,68 @@ void add_materials(CommandHost& host) {
   }};
   for (const Entry& entry : entries) {
     const Material material = entry.material;
-    host.table.add(
-        {entry.id, "View/Material", entry.label, "Show the surface in this material.", "", "", true, false,
-         [&editor = host.editor, material] {
-           const auto dress = [material](DisplaySettings& d) {
-             d = with_material(d, material);
-             d.map = SurfaceMap::shaded;
-           };
-           change_display(editor, "Material", dress,
-                          [dress](const DisplaySettings&, DisplaySettings& to) { dress(to); });
-         },
-         why_not,
-         shows(host.editor, [material](const DisplaySettings& d) { return d.material == material; })});
+    host.table.add({.id = entry.id,
+                    .menu = "View/Material",
+                    .label = entry.label,
+                    .help = "Show the surface in this material.",
+                    .changes_document = true,
+                    .while_tool_runs = true,
+                    .run =
+                        [&editor = host.editor, material] {
+                          const auto dress = [material](DisplaySettings& d) {
+                            d = with_material(d, material);
+                            d.map = SurfaceMap::shaded;
+                          };
+                          change_display(editor, "Material", dress,
+                                         [dress](const DisplaySettings&, DisplaySettings& to) { dress(to); });
+                        },
+                    .why_not = why_not,
+                    .checked = shows(host.editor, [material](const DisplaySettings& d) {
+                      return d.material == material;
+                    })});
   }
 }
 
 void add_view_switches(CommandHost& host) {
   Editor& editor = host.editor;
   const WhyNot document = needs_document(editor);
-  host.table.add({"analyse.section", "Analyse", "Section plane", "Cut surfaces away beyond a plane.", "Alt+S",
-                  "", false, true,
-                  [&editor] {
-                    ViewSettings::Section& section = editor.view.section;
-                    section.shown = !section.shown;
-                    Box3 box;
-                    for (const auto& object : editor.document().objects)
-                      if (object->visible) box.extend(world_box(*object));
-                    const bool outside = !box.isEmpty() && !(section.offset >= box.min()[section.axis] &&
-                                                             section.offset <= box.max()[section.axis]);
-                    if (section.shown && outside) section.offset = box.center()[section.axis];
-                  },
-                  document, [&editor] { return editor.view.section.shown; }});
-  host.table.add({"analyse.section_flip", "Analyse", "Other side of the section",
-                  "Keep the half that the section plane cuts away.", "", "", false, false,
-                  [&editor] { editor.view.section.flipped = !editor.view.section.flipped; },
-                  [&editor]() -> Reason {
+  host.table.add({.id = "analyse.section",
+                  .menu = "Analyse",
+                  .label = "Section plane",
+                  .help = "Cut surfaces away beyond a plane.",
+                  .keys = "Alt+S",
+                  .separator_before = true,
+                  .run =
+                      [&editor] {
+                        ViewSettings::Section& section = editor.view.section;
+                        section.shown = !section.shown;
+                        Box3 box;
+                        for (const auto& object : editor.document().objects)
+                          if (object->visible) box.extend(world_box(*object));
+                        const bool outside = !box.isEmpty() && !(section.offset >= box.min()[section.axis] &&
+                                                                 section.offset <= box.max()[section.axis]);
+                        if (section.shown && outside) section.offset = box.center()[section.axis];
+                      },
+                  .why_not = document,
+                  .checked = [&editor] { return editor.view.section.shown; }});
+  host.table.add({.id = "analyse.section_flip",
+                  .menu = "Analyse",
+                  .label = "Other side of the section",
+                  .help = "Keep the half that the section plane cuts away.",
+                  .run = [&editor] { editor.view.section.flipped = !editor.view.section.flipped; },
+                  .why_not = [&editor]() -> Reason {
                     if (editor.view.section.shown) return {};
                     return translatable("There is no section plane. Choose Section plane first.");
                   },
-                  [&editor] { return editor.view.section.flipped; }});
-  host.table.add({"analyse.colour_blind",
-                  "Analyse",
-                  "Colour-blind-safe maps",
-                  "Colour maps so that all kinds of colour vision can read them.",
-                  "",
-                  "",
-                  false,
-                  true,
-                  [&editor] { editor.settings.colour_blind_maps = !editor.settings.colour_blind_maps; },
-                  {},
-                  [&editor] { return editor.settings.colour_blind_maps; }});
+                  .checked = [&editor] { return editor.view.section.flipped; }});
+  host.table.add(
+      {.id = "analyse.colour_blind",
+       .menu = "Analyse",
+       .label = "Colour-blind-safe maps",
+       .help = "Colour maps so that all kinds of colour vision can read them.",
+       .separator_before = true,
+       .run = [&editor] { editor.settings.colour_blind_maps = !editor.settings.colour_blind_maps; },
+       .checked = [&editor] { return editor.settings.colour_blind_maps; }});
 }
 
 /// Four views for four pictures; the views from before come back after it.
@@ -273,22 +314,30 @@ void compare_meshes(Editor& editor, bool on) {
 void add_meshing(CommandHost& host) {
   Editor& editor = host.editor;
   const WhyNot document = needs_document(editor);
-  host.table.add({"analyse.mesh", "Analyse", "Triangles",
-                  "Show the surface as triangles within a tolerance, and maps of their errors.", "Ctrl+Alt+T",
-                  "", false, true,
-                  [&editor] {
-                    if (editor.meshing.comparing()) compare_meshes(editor, false);
-                    editor.meshing.open = !editor.meshing.open;
-                  },
-                  document, [&editor] { return editor.meshing.open; }});
-  host.table.add({"analyse.mesh_compare", "Analyse", "Compare four pictures",
-                  "Show meshes made by distance and by normal angle, each with both of its errors.", "", "",
-                  false, false,
-                  [&editor] {
-                    editor.meshing.open = true;
-                    compare_meshes(editor, !editor.meshing.settings.compare);
-                  },
-                  document, [&editor] { return editor.meshing.comparing(); }});
+  host.table.add({.id = "analyse.mesh",
+                  .menu = "Analyse",
+                  .label = "Triangles",
+                  .help = "Show the surface as triangles within a tolerance, and maps of their errors.",
+                  .keys = "Ctrl+Alt+T",
+                  .separator_before = true,
+                  .run =
+                      [&editor] {
+                        if (editor.meshing.comparing()) compare_meshes(editor, false);
+                        editor.meshing.open = !editor.meshing.open;
+                      },
+                  .why_not = document,
+                  .checked = [&editor] { return editor.meshing.open; }});
+  host.table.add({.id = "analyse.mesh_compare",
+                  .menu = "Analyse",
+                  .label = "Compare four pictures",
+                  .help = "Show meshes made by distance and by normal angle, each with both of its errors.",
+                  .run =
+                      [&editor] {
+                        editor.meshing.open = true;
+                        compare_meshes(editor, !editor.meshing.settings.compare);
+                      },
+                  .why_not = document,
+                  .checked = [&editor] { return editor.meshing.comparing(); }});
 }
 
 }  // namespace

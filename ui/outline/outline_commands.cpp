@@ -111,18 +111,16 @@ struct OutlineMenu {
   void next_group() { group = true; }
   void add(const char* id, const char* label, const char* help, const char* keys, std::function<void()> run,
            WhyNot why_not, Context contexts = Context::none) {
-    host.table.add({id,
-                    translatable("Outline"),
-                    label,
-                    help,
-                    keys,
-                    "",
-                    true,
-                    group,
-                    std::move(run),
-                    std::move(why_not),
-                    {},
-                    contexts});
+    host.table.add({.id = id,
+                    .menu = translatable("Outline"),
+                    .label = label,
+                    .help = help,
+                    .keys = keys,
+                    .changes_document = true,
+                    .separator_before = group,
+                    .run = std::move(run),
+                    .why_not = std::move(why_not),
+                    .contexts = contexts});
     group = false;
   }
 };
@@ -130,18 +128,14 @@ struct OutlineMenu {
 void add_drawing(OutlineMenu& menu) {
   CommandHost& host = menu.host;
   Editor& editor = host.editor;
-  host.table.add({"add.outline",
-                  "Add",
-                  "Outline",
-                  "Draw a closed loop on the ground or on a surface; a smooth surface fills it.",
-                  "",
-                  "",
-                  true,
-                  true,
-                  [&host] { draw_outline(host); },
-                  {},
-                  {},
-                  Context::empty});
+  host.table.add({.id = "add.outline",
+                  .menu = "Add",
+                  .label = "Outline",
+                  .help = "Draw a closed loop on the ground or on a surface; a smooth surface fills it.",
+                  .changes_document = true,
+                  .separator_before = true,
+                  .run = [&host] { draw_outline(host); },
+                  .contexts = Context::empty});
   menu.add(
       "outline.add_loop", "Add loop", "Draw another loop of the outline: the surface has a hole there.", "",
       [&host] { host.viewport.start_modal(make_loop_tool(host.editor.selection.active)); },
@@ -156,18 +150,22 @@ void add_drawing(OutlineMenu& menu) {
 void add_sphere(CommandHost& host) {
   Editor& editor = host.editor;
   GaussView& gauss = editor.gauss;
-  host.table.add({"outline.sphere", "Outline", "Gauss sphere",
-                  "Show the normals of the outline on a sphere beside the model, with the sites inside.", "",
-                  "", false, true,
-                  [&gauss, &editor] {
-                    gauss.shown = !gauss.shown;
-                    change_room_of_views(editor, gauss.shown);
-                  },
-                  [&gauss, outline = needs_outline(editor)]() -> Reason {
-                    if (gauss.shown) return {};
-                    return outline();
-                  },
-                  [&gauss] { return gauss.shown; }});
+  host.table.add(
+      {.id = "outline.sphere",
+       .menu = "Outline",
+       .label = "Gauss sphere",
+       .help = "Show the normals of the outline on a sphere beside the model, with the sites inside.",
+       .separator_before = true,
+       .run =
+           [&gauss, &editor] {
+             gauss.shown = !gauss.shown;
+             change_room_of_views(editor, gauss.shown);
+           },
+       .why_not = [&gauss, outline = needs_outline(editor)]() -> Reason {
+         if (gauss.shown) return {};
+         return outline();
+       },
+       .checked = [&gauss] { return gauss.shown; }});
 }
 
 void add_points(OutlineMenu& menu) {

@@ -38,67 +38,96 @@ Index piece_to_split(const Editor& editor) {
 void add_view_commands_of_paper(CommandHost& host) {
   Editor& editor = host.editor;
   const WhyNot document = needs_document(editor);
-  host.table.add({"paper.show", "Paper", "Paper view", "Show the pages of a paper model beside the model.",
-                  "Ctrl+P", "", false, false,
-                  [&editor] {
-                    // What is seen as a whole may be the paper, as long as it shows.
-                    if (editor.paper.shown) change_room_of_views(editor, false);
-                    editor.paper.shown = !editor.paper.shown;
-                    editor.paper.wants_framing = true;
-                    if (editor.paper.shown) change_room_of_views(editor, true);
-                  },
-                  document, [&editor] { return editor.paper.shown; }});
-  host.table.add({"paper.in_space", "Paper", "Paper in the view",
-                  "The view of the model shows the paper instead of the objects.", "", "", false, false,
-                  [&editor] { editor.paper.in_space = !editor.paper.in_space; }, needs_pages(editor),
-                  [&editor] { return editor.paper.in_space; }});
-  host.table.add({"paper.frame", "Paper", "All pages", "Show all pages in the paper view.", "", "", false,
-                  false, [&editor] { editor.paper.wants_framing = true; }, needs_pages(editor)});
+  host.table.add({.id = "paper.show",
+                  .menu = "Paper",
+                  .label = "Paper view",
+                  .help = "Show the pages of a paper model beside the model.",
+                  .keys = "Ctrl+P",
+                  .run =
+                      [&editor] {
+                        // What is seen as a whole may be the paper, as long as it shows.
+                        if (editor.paper.shown) change_room_of_views(editor, false);
+                        editor.paper.shown = !editor.paper.shown;
+                        editor.paper.wants_framing = true;
+                        if (editor.paper.shown) change_room_of_views(editor, true);
+                      },
+                  .why_not = document,
+                  .checked = [&editor] { return editor.paper.shown; }});
+  host.table.add({.id = "paper.in_space",
+                  .menu = "Paper",
+                  .label = "Paper in the view",
+                  .help = "The view of the model shows the paper instead of the objects.",
+                  .run = [&editor] { editor.paper.in_space = !editor.paper.in_space; },
+                  .why_not = needs_pages(editor),
+                  .checked = [&editor] { return editor.paper.in_space; }});
+  host.table.add({.id = "paper.frame",
+                  .menu = "Paper",
+                  .label = "All pages",
+                  .help = "Show all pages in the paper view.",
+                  .run = [&editor] { editor.paper.wants_framing = true; },
+                  .why_not = needs_pages(editor)});
 }
 
 void add_piece_commands(CommandHost& host) {
   Editor& editor = host.editor;
-  host.table.add(
-      {"paper.straighten", "Paper", "Straighten", "Turn the piece so that it takes the least room.", "", "",
-       true, true,
-       [&editor] {
-         commit_paper(editor, straighten_piece(editor.paper.layout->unfolding, editor.paper.selected_piece()),
-                      translatable("Straighten a piece"));
-       },
-       needs_piece(editor)});
-  host.table.add(
-      {"paper.turn", "Paper", "Turn by 90\u00b0", "Turn the piece to the left.", "", "", true, false,
-       [&editor] {
-         commit_paper(
-             editor,
-             turn_piece(editor.paper.layout->unfolding, editor.paper.selected_piece(), std::numbers::pi / 2),
-             translatable("Turn a piece"));
-       },
-       needs_piece(editor)});
-  host.table.add({"paper.split_to_fit", "Paper", "Split to fit the page",
-                  "Cut the piece into parts that fit the page.", "", "", true, false,
-                  [&editor] {
-                    Unfolding next = editor.paper.layout->unfolding;
-                    const Index selected = editor.paper.selected_piece();
-                    if (selected != no_index) {
-                      next = split_to_fit(next, selected);
-                    } else {
-                      // From the last to the first: parts get the numbers behind.
-                      const auto& large = editor.paper.layout->off_page;
-                      for (auto piece = large.rbegin(); piece != large.rend(); ++piece)
-                        next = split_to_fit(next, *piece);
-                    }
-                    commit_paper(editor, rearrange(next), translatable("Split to fit the page"));
-                  },
-                  [&editor, pages = needs_pages(editor)]() -> Reason {
+  host.table.add({.id = "paper.straighten",
+                  .menu = "Paper",
+                  .label = "Straighten",
+                  .help = "Turn the piece so that it takes the least room.",
+                  .changes_document = true,
+                  .separator_before = true,
+                  .run =
+                      [&editor] {
+                        commit_paper(
+                            editor,
+                            straighten_piece(editor.paper.layout->unfolding, editor.paper.selected_piece()),
+                            translatable("Straighten a piece"));
+                      },
+                  .why_not = needs_piece(editor)});
+  host.table.add({.id = "paper.turn",
+                  .menu = "Paper",
+                  .label = "Turn by 90\u00b0",
+                  .help = "Turn the piece to the left.",
+                  .changes_document = true,
+                  .run =
+                      [&editor] {
+                        commit_paper(editor,
+                                     turn_piece(editor.paper.layout->unfolding, editor.paper.selected_piece(),
+                                                std::numbers::pi / 2),
+                                     translatable("Turn a piece"));
+                      },
+                  .why_not = needs_piece(editor)});
+  host.table.add({.id = "paper.split_to_fit",
+                  .menu = "Paper",
+                  .label = "Split to fit the page",
+                  .help = "Cut the piece into parts that fit the page.",
+                  .changes_document = true,
+                  .run =
+                      [&editor] {
+                        Unfolding next = editor.paper.layout->unfolding;
+                        const Index selected = editor.paper.selected_piece();
+                        if (selected != no_index) {
+                          next = split_to_fit(next, selected);
+                        } else {
+                          // From the last to the first: parts get the numbers behind.
+                          const auto& large = editor.paper.layout->off_page;
+                          for (auto piece = large.rbegin(); piece != large.rend(); ++piece)
+                            next = split_to_fit(next, *piece);
+                        }
+                        commit_paper(editor, rearrange(next), translatable("Split to fit the page"));
+                      },
+                  .why_not = [&editor, pages = needs_pages(editor)]() -> Reason {
                     if (auto reason = pages()) return reason;
                     if (piece_to_split(editor) != no_index) return {};
                     return translatable("No piece is selected. Click one in the paper view.");
                   }});
-  host.table.add({"paper.scale_to_fit", "Paper", "Scale to fit the page",
-                  "Make the paper model so small that every piece fits the page.", "", "", true, false,
-                  [&editor] { scale_to_fit(editor); },
-                  [&editor, pages = needs_pages(editor)]() -> Reason {
+  host.table.add({.id = "paper.scale_to_fit",
+                  .menu = "Paper",
+                  .label = "Scale to fit the page",
+                  .help = "Make the paper model so small that every piece fits the page.",
+                  .changes_document = true,
+                  .run = [&editor] { scale_to_fit(editor); },
+                  .why_not = [&editor, pages = needs_pages(editor)]() -> Reason {
                     if (auto reason = pages()) return reason;
                     if (editor.paper.layout->fitting < 1) return {};
                     return translatable("Every piece fits the page.");
@@ -136,39 +165,57 @@ void add_paper_commands(CommandHost& host) {
   Editor& editor = host.editor;
   CommandServices& services = host.services;
   add_view_commands_of_paper(host);
-  host.table.add({"paper.unfold", "Paper", "Unfold",
-                  "Look for cuts, so that the model lies flat on few pages.", "Ctrl+Shift+U", "", true, true,
-                  [&editor] {
-                    editor.paper.shown = true;
-                    editor.paper.wants_unfolding = true;
-                  },
-                  [&editor, document = needs_document(editor)]() -> Reason {
+  host.table.add({.id = "paper.unfold",
+                  .menu = "Paper",
+                  .label = "Unfold",
+                  .help = "Look for cuts, so that the model lies flat on few pages.",
+                  .keys = "Ctrl+Shift+U",
+                  .changes_document = true,
+                  .separator_before = true,
+                  .run =
+                      [&editor] {
+                        editor.paper.shown = true;
+                        editor.paper.wants_unfolding = true;
+                      },
+                  .why_not = [&editor, document = needs_document(editor)]() -> Reason {
                     if (auto reason = document()) return reason;
                     if (!unfoldable_objects(editor.document()).empty()) return {};
                     return translatable("There is no visible surface to unfold. Show an object or add one.");
                   }});
-  host.table.add({"paper.arrange", "Paper", "Arrange", "Pack all pieces and strips on the pages anew.", "",
-                  "", true, false,
-                  [&editor] {
-                    commit_paper(editor, rearrange(editor.paper.layout->unfolding),
-                                 translatable("Arrange the pages"));
-                  },
-                  needs_pages(editor)});
+  host.table.add({.id = "paper.arrange",
+                  .menu = "Paper",
+                  .label = "Arrange",
+                  .help = "Pack all pieces and strips on the pages anew.",
+                  .changes_document = true,
+                  .run =
+                      [&editor] {
+                        commit_paper(editor, rearrange(editor.paper.layout->unfolding),
+                                     translatable("Arrange the pages"));
+                      },
+                  .why_not = needs_pages(editor)});
   add_piece_commands(host);
-  host.table.add({"paper.forget", "Paper", "Remove the paper model", "Forget its cuts, places and settings.",
-                  "", "", true, false,
-                  [&editor] {
-                    editor.commit(remove_paper(editor.history.current()),
-                                  translatable("Remove the paper model"));
-                  },
-                  [&editor, document = needs_document(editor)]() -> Reason {
+  host.table.add({.id = "paper.forget",
+                  .menu = "Paper",
+                  .label = "Remove the paper model",
+                  .help = "Forget its cuts, places and settings.",
+                  .changes_document = true,
+                  .run =
+                      [&editor] {
+                        editor.commit(remove_paper(editor.history.current()),
+                                      translatable("Remove the paper model"));
+                      },
+                  .why_not = [&editor, document = needs_document(editor)]() -> Reason {
                     if (auto reason = document()) return reason;
                     if (editor.document().paper) return {};
                     return translatable("There are no pages yet. Unfold the model first.");
                   }});
-  host.table.add({"paper.export", "Paper", "Export pages\u2026", "Write the pages as PDF, SVG, DXF or PNG.",
-                  "", "", false, true, [&editor, &services] { export_pages(editor, services); },
-                  needs_pages(editor)});
+  host.table.add({.id = "paper.export",
+                  .menu = "Paper",
+                  .label = "Export pages\u2026",
+                  .help = "Write the pages as PDF, SVG, DXF or PNG.",
+                  .separator_before = true,
+                  .run = [&editor, &services] { export_pages(editor, services); },
+                  .why_not = needs_pages(editor)});
 }
 
 }  // namespace hariko

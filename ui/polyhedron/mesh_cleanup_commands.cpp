@@ -184,8 +184,17 @@ class MeshMenu {
   }
   void add(const char* id, const std::string& menu, const char* label, const char* help, const char* keys,
            WhyNot why_not, Context contexts, std::function<void()> run, std::function<bool()> checked) {
-    host_.table.add({id, menu, label, help, keys, "", true, separator_, std::move(run), std::move(why_not),
-                     std::move(checked), contexts});
+    host_.table.add({.id = id,
+                     .menu = menu,
+                     .label = label,
+                     .help = help,
+                     .keys = keys,
+                     .changes_document = true,
+                     .separator_before = separator_,
+                     .run = std::move(run),
+                     .why_not = std::move(why_not),
+                     .checked = std::move(checked),
+                     .contexts = contexts});
     separator_ = false;
   }
   /// A command that is one operation on the active polyhedron and what is selected of it.

@@ -98,157 +98,230 @@ std::vector<std::uint32_t> chosen_sections(const Editor& editor) {
 void add_point_commands(CommandHost& host) {
   Editor& editor = host.editor;
   const WhyNot points = needs_points(editor, false), one = needs_points(editor, true);
-  host.table.add({"skin.insert_point", "Skin", "Insert point",
-                  "One more point behind the selected one; the section keeps its shape.", "", "", true, true,
-                  [&editor] {
-                    run_edit(
-                        editor,
-                        [&] {
-                          const Skin& s = skin_of(editor);
-                          const std::uint32_t section = selected_section(editor)->id;
-                          const int span = chosen_span(editor);
-                          return s.mirror ? insert_section_point(s, section, span, *s.mirror)
-                                          : insert_section_point(s, section, span);
-                        },
-                        translatable("Insert section point"));
-                  },
-                  one});
-  host.table.add({"skin.delete_points", "Skin", "Delete points",
-                  "The section goes through the points that are left.", "", "", true, false,
-                  [&editor] { delete_selected_points(editor); }, points});
-  host.table.add({"skin.refine", "Skin", "Refine section",
-                  "Twice as many points; the section stays exactly as it is.", "", "", true, false,
-                  [&editor] {
-                    run_edit(
-                        editor, [&] { return refine_section(skin_of(editor), selected_section(editor)->id); },
-                        translatable("Refine section"));
-                  },
-                  one});
-  host.table.add({"skin.flip_section", "Skin", "Turn section round", "Swaps the ends of the section.", "", "",
-                  true, false,
-                  [&editor] {
-                    run_edit(
-                        editor, [&] { return flip_section(skin_of(editor), selected_section(editor)->id); },
-                        translatable("Turn section round"));
-                  },
-                  one});
-  host.table.add({"skin.seam", "Skin", "Begin section here",
-                  "The selected point becomes the first of its closed section.", "", "", true, false,
-                  [&editor] {
-                    run_edit(
-                        editor,
-                        [&] { return move_seam(skin_of(editor), selected_section_points(editor).front()); },
-                        translatable("Begin section here"));
-                  },
-                  one});
-  host.table.add({"skin.symmetric", "Skin", "Make symmetric",
-                  "The halves of the selected sections, or of all, become mirror images of each other.", "",
-                  "", true, false,
-                  [&editor] {
-                    run_edit(
-                        editor,
-                        [&] {
-                          const Skin& skin = skin_of(editor);
-                          return make_symmetric(skin, chosen_sections(editor), mirror_plane(skin));
-                        },
-                        translatable("Make symmetric"));
-                  },
-                  needs_skin(editor)});
-  host.table.add({"skin.close_sections", "Skin", "Close or open sections",
-                  "All sections become closed curves, or open ones.", "", "", true, false,
-                  [&editor] {
-                    run_edit(
-                        editor,
-                        [&] { return set_closed(skin_of(editor), !has_closed_sections(skin_of(editor))); },
-                        translatable("Close or open sections"));
-                  },
-                  needs_skin(editor)});
+  host.table.add({.id = "skin.insert_point",
+                  .menu = "Skin",
+                  .label = "Insert point",
+                  .help = "One more point behind the selected one; the section keeps its shape.",
+                  .changes_document = true,
+                  .separator_before = true,
+                  .run =
+                      [&editor] {
+                        run_edit(
+                            editor,
+                            [&] {
+                              const Skin& s = skin_of(editor);
+                              const std::uint32_t section = selected_section(editor)->id;
+                              const int span = chosen_span(editor);
+                              return s.mirror ? insert_section_point(s, section, span, *s.mirror)
+                                              : insert_section_point(s, section, span);
+                            },
+                            translatable("Insert section point"));
+                      },
+                  .why_not = one});
+  host.table.add({.id = "skin.delete_points",
+                  .menu = "Skin",
+                  .label = "Delete points",
+                  .help = "The section goes through the points that are left.",
+                  .changes_document = true,
+                  .run = [&editor] { delete_selected_points(editor); },
+                  .why_not = points});
+  host.table.add({.id = "skin.refine",
+                  .menu = "Skin",
+                  .label = "Refine section",
+                  .help = "Twice as many points; the section stays exactly as it is.",
+                  .changes_document = true,
+                  .run =
+                      [&editor] {
+                        run_edit(
+                            editor,
+                            [&] { return refine_section(skin_of(editor), selected_section(editor)->id); },
+                            translatable("Refine section"));
+                      },
+                  .why_not = one});
+  host.table.add({.id = "skin.flip_section",
+                  .menu = "Skin",
+                  .label = "Turn section round",
+                  .help = "Swaps the ends of the section.",
+                  .changes_document = true,
+                  .run =
+                      [&editor] {
+                        run_edit(
+                            editor,
+                            [&] { return flip_section(skin_of(editor), selected_section(editor)->id); },
+                            translatable("Turn section round"));
+                      },
+                  .why_not = one});
+  host.table.add(
+      {.id = "skin.seam",
+       .menu = "Skin",
+       .label = "Begin section here",
+       .help = "The selected point becomes the first of its closed section.",
+       .changes_document = true,
+       .run =
+           [&editor] {
+             run_edit(
+                 editor, [&] { return move_seam(skin_of(editor), selected_section_points(editor).front()); },
+                 translatable("Begin section here"));
+           },
+       .why_not = one});
+  host.table.add(
+      {.id = "skin.symmetric",
+       .menu = "Skin",
+       .label = "Make symmetric",
+       .help = "The halves of the selected sections, or of all, become mirror images of each other.",
+       .changes_document = true,
+       .run =
+           [&editor] {
+             run_edit(
+                 editor,
+                 [&] {
+                   const Skin& skin = skin_of(editor);
+                   return make_symmetric(skin, chosen_sections(editor), mirror_plane(skin));
+                 },
+                 translatable("Make symmetric"));
+           },
+       .why_not = needs_skin(editor)});
+  host.table.add(
+      {.id = "skin.close_sections",
+       .menu = "Skin",
+       .label = "Close or open sections",
+       .help = "All sections become closed curves, or open ones.",
+       .changes_document = true,
+       .run =
+           [&editor] {
+             run_edit(
+                 editor, [&] { return set_closed(skin_of(editor), !has_closed_sections(skin_of(editor))); },
+                 translatable("Close or open sections"));
+           },
+       .why_not = needs_skin(editor)});
 }
 
 void add_section_commands(CommandHost& host) {
   Editor& editor = host.editor;
   const WhyNot skin = needs_skin(editor);
   host.table.add(
-      {"skin.add_section", "Skin", "Add section",
-       "A section taken from the surface, in the middle behind the selected one.", "", "", true, true,
-       [&host, &editor] { host.services.add_section(shown_skin(editor)->id, place_for_section(editor)); },
-       skin});
-  host.table.add({"skin.section_here", "Skin", "Add section by click\u2026",
-                  "A section taken from the surface where it is clicked.", "", "", false, false,
-                  [&host] {
-                    host.viewport.start_modal(make_add_section_tool([&host](ObjectId object, double place) {
-                      host.services.add_section(object, place);
-                    }));
-                  },
-                  skin});
-  host.table.add({"skin.draw_section", "Skin", "Draw section\u2026",
-                  "A section drawn by hand or by points, in a plane across the path.", "", "", false, false,
-                  [&host] { host.viewport.start_modal(make_draw_section_tool()); }, skin});
-  host.table.add({"skin.slide_section", "Skin", "Slide section\u2026",
-                  "Moves the section of the selected points along the path.", "", "", false, false,
-                  [&host, &editor] {
-                    host.viewport.start_modal(make_slide_section_tool(selected_section(editor)->id, true));
-                  },
-                  needs_points(editor, true)});
-  host.table.add({"skin.delete_section", "Skin", "Delete section",
-                  "Deletes the section of the selected points.", "", "", true, false,
-                  [&editor] {
-                    run_edit(
-                        editor, [&] { return delete_section(skin_of(editor), selected_section(editor)->id); },
-                        translatable("Delete section"));
-                  },
-                  needs_points(editor, true)});
+      {.id = "skin.add_section",
+       .menu = "Skin",
+       .label = "Add section",
+       .help = "A section taken from the surface, in the middle behind the selected one.",
+       .changes_document = true,
+       .separator_before = true,
+       .run = [&host,
+               &editor] { host.services.add_section(shown_skin(editor)->id, place_for_section(editor)); },
+       .why_not = skin});
+  host.table.add(
+      {.id = "skin.section_here",
+       .menu = "Skin",
+       .label = "Add section by click\u2026",
+       .help = "A section taken from the surface where it is clicked.",
+       .run =
+           [&host] {
+             host.viewport.start_modal(make_add_section_tool(
+                 [&host](ObjectId object, double place) { host.services.add_section(object, place); }));
+           },
+       .why_not = skin});
+  host.table.add({.id = "skin.draw_section",
+                  .menu = "Skin",
+                  .label = "Draw section\u2026",
+                  .help = "A section drawn by hand or by points, in a plane across the path.",
+                  .run = [&host] { host.viewport.start_modal(make_draw_section_tool()); },
+                  .why_not = skin});
+  host.table.add({.id = "skin.slide_section",
+                  .menu = "Skin",
+                  .label = "Slide section\u2026",
+                  .help = "Moves the section of the selected points along the path.",
+                  .run =
+                      [&host, &editor] {
+                        host.viewport.start_modal(
+                            make_slide_section_tool(selected_section(editor)->id, true));
+                      },
+                  .why_not = needs_points(editor, true)});
+  host.table.add({.id = "skin.delete_section",
+                  .menu = "Skin",
+                  .label = "Delete section",
+                  .help = "Deletes the section of the selected points.",
+                  .changes_document = true,
+                  .run =
+                      [&editor] {
+                        run_edit(
+                            editor,
+                            [&] { return delete_section(skin_of(editor), selected_section(editor)->id); },
+                            translatable("Delete section"));
+                      },
+                  .why_not = needs_points(editor, true)});
 }
 
 void add_path_commands(CommandHost& host) {
   Editor& editor = host.editor;
   const WhyNot skin = needs_skin(editor);
-  host.table.add({"skin.insert_path_point", "Skin", "Insert path point",
-                  "One more point behind the selected one of the path; it keeps its shape.", "", "", true,
-                  true,
-                  [&editor] {
-                    run_edit(
-                        editor,
-                        [&] {
-                          const Skin& s = skin_of(editor);
-                          return insert_path_point(
-                              s, std::min(selected_path_points(editor).front(), s.path.spans() - 1));
-                        },
-                        translatable("Insert path point"));
-                  },
-                  needs_path_point(editor)});
+  host.table.add({.id = "skin.insert_path_point",
+                  .menu = "Skin",
+                  .label = "Insert path point",
+                  .help = "One more point behind the selected one of the path; it keeps its shape.",
+                  .changes_document = true,
+                  .separator_before = true,
+                  .run =
+                      [&editor] {
+                        run_edit(
+                            editor,
+                            [&] {
+                              const Skin& s = skin_of(editor);
+                              return insert_path_point(
+                                  s, std::min(selected_path_points(editor).front(), s.path.spans() - 1));
+                            },
+                            translatable("Insert path point"));
+                      },
+                  .why_not = needs_path_point(editor)});
   host.table.add(
-      {"skin.delete_path_point", "Skin", "Delete path point",
-       "The path goes through the points that are left.", "", "", true, false,
-       [&editor] {
-         run_edit(
-             editor, [&] { return delete_path_point(skin_of(editor), selected_path_points(editor).front()); },
-             translatable("Delete path point"));
-       },
-       needs_path_point(editor)});
-  host.table.add({"skin.refine_path", "Skin", "Refine path",
-                  "Twice as many points; the path stays exactly as it is.", "", "", true, false,
-                  [&editor] {
-                    run_edit(
-                        editor, [&] { return refine_path(skin_of(editor)); }, translatable("Refine path"));
-                  },
-                  skin});
-  host.table.add({"skin.trim_path", "Skin", "Trim path",
-                  "Cuts the path off at its first and its last section.", "", "", true, false,
-                  [&editor] {
-                    run_edit(
-                        editor, [&] { return trim_path(skin_of(editor)); }, translatable("Trim path"));
-                  },
-                  skin});
-  host.table.add({"skin.close_path", "Skin", "Close or open path",
-                  "The path runs back to its beginning, or ends at its last section.", "", "", true, false,
-                  [&editor] {
-                    run_edit(
-                        editor,
-                        [&] { return set_path_closed(skin_of(editor), !skin_of(editor).path.closed); },
-                        translatable("Close or open path"));
-                  },
-                  skin});
+      {.id = "skin.delete_path_point",
+       .menu = "Skin",
+       .label = "Delete path point",
+       .help = "The path goes through the points that are left.",
+       .changes_document = true,
+       .run =
+           [&editor] {
+             run_edit(
+                 editor,
+                 [&] { return delete_path_point(skin_of(editor), selected_path_points(editor).front()); },
+                 translatable("Delete path point"));
+           },
+       .why_not = needs_path_point(editor)});
+  host.table.add({.id = "skin.refine_path",
+                  .menu = "Skin",
+                  .label = "Refine path",
+                  .help = "Twice as many points; the path stays exactly as it is.",
+                  .changes_document = true,
+                  .run =
+                      [&editor] {
+                        run_edit(
+                            editor, [&] { return refine_path(skin_of(editor)); },
+                            translatable("Refine path"));
+                      },
+                  .why_not = skin});
+  host.table.add({.id = "skin.trim_path",
+                  .menu = "Skin",
+                  .label = "Trim path",
+                  .help = "Cuts the path off at its first and its last section.",
+                  .changes_document = true,
+                  .run =
+                      [&editor] {
+                        run_edit(
+                            editor, [&] { return trim_path(skin_of(editor)); }, translatable("Trim path"));
+                      },
+                  .why_not = skin});
+  host.table.add({.id = "skin.close_path",
+                  .menu = "Skin",
+                  .label = "Close or open path",
+                  .help = "The path runs back to its beginning, or ends at its last section.",
+                  .changes_document = true,
+                  .run =
+                      [&editor] {
+                        run_edit(
+                            editor,
+                            [&] { return set_path_closed(skin_of(editor), !skin_of(editor).path.closed); },
+                            translatable("Close or open path"));
+                      },
+                  .why_not = skin});
 }
 
 }  // namespace
@@ -256,24 +329,33 @@ void add_path_commands(CommandHost& host) {
 void add_skin_commands(CommandHost& host) {
   Editor& editor = host.editor;
   const WhyNot skin = needs_skin(editor);
-  host.table.add({"skin.draw", "Skin", "Draw skin\u2026",
-                  "Draw a path and two sections, by hand or by points: a new skin.", "", "", false, false,
-                  [&host, &editor] {
+  host.table.add({.id = "skin.draw",
+                  .menu = "Skin",
+                  .label = "Draw skin\u2026",
+                  .help = "Draw a path and two sections, by hand or by points: a new skin.",
+                  .run = [&host, &editor] {
                     begin_document(editor);
                     host.viewport.start_modal(make_draw_skin_tool());
                   }});
   host.table.add(
-      {"skin.correspond", "Skin", "Correspondences\u2026",
-       "Draw over the sections which points belong together: a line joins, a closed curve groups, a "
-       "wedge merges.",
-       "", "", false, false, [&host] { host.viewport.start_modal(make_correspond_tool()); }, skin});
+      {.id = "skin.correspond",
+       .menu = "Skin",
+       .label = "Correspondences\u2026",
+       .help = "Draw over the sections which points belong together: a line joins, a closed curve groups, a "
+               "wedge merges.",
+       .run = [&host] { host.viewport.start_modal(make_correspond_tool()); },
+       .why_not = skin});
   add_point_commands(host);
   add_section_commands(host);
   add_path_commands(host);
-  host.table.add({"skin.to_polyhedron", "Skin", "Convert to polyhedron",
-                  "A polyhedron through points of the surface, with its tangent planes; the skin is hidden.",
-                  "", "", false, true, [&host, &editor] { host.services.convert(shown_skin(editor)->id); },
-                  skin});
+  host.table.add(
+      {.id = "skin.to_polyhedron",
+       .menu = "Skin",
+       .label = "Convert to polyhedron",
+       .help = "A polyhedron through points of the surface, with its tangent planes; the skin is hidden.",
+       .separator_before = true,
+       .run = [&host, &editor] { host.services.convert(shown_skin(editor)->id); },
+       .why_not = skin});
 }
 
 }  // namespace hariko
