@@ -280,10 +280,8 @@ void add_view_switches(CommandHost& host) {
                   .label = "Other side of the section",
                   .help = "Keep the half that the section plane cuts away.",
                   .run = [&editor] { editor.view.section.flipped = !editor.view.section.flipped; },
-                  .why_not = [&editor]() -> Reason {
-                    if (editor.view.section.shown) return {};
-                    return translatable("There is no section plane. Choose Section plane first.");
-                  },
+                  .why_not = only_if([&editor] { return editor.view.section.shown; },
+                                     translatable("There is no section plane. Choose Section plane first.")),
                   .checked = [&editor] { return editor.view.section.flipped; }});
   host.table.add(
       {.id = "analyse.colour_blind",

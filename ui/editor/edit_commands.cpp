@@ -16,10 +16,8 @@ void add_edit_commands(CommandHost& host) {
              .icon = icon::undo,
              .changes_document = true,
              .run = [&editor] { editor.undo(); },
-             .why_not = [&editor]() -> std::optional<std::string> {
-               if (editor.history.can_undo()) return {};
-               return translatable("There is nothing to undo.");
-             }});
+             .why_not = only_if([&editor] { return editor.history.can_undo(); },
+                                translatable("There is nothing to undo."))});
   table.add({.id = "edit.redo",
              .menu = "Edit",
              .label = "Redo",
@@ -28,10 +26,8 @@ void add_edit_commands(CommandHost& host) {
              .icon = icon::redo,
              .changes_document = true,
              .run = [&editor] { editor.redo(); },
-             .why_not = [&editor]() -> std::optional<std::string> {
-               if (editor.history.can_redo()) return {};
-               return translatable("There is nothing to redo.");
-             }});
+             .why_not = only_if([&editor] { return editor.history.can_redo(); },
+                                translatable("There is nothing to redo."))});
 }
 
 }  // namespace hariko

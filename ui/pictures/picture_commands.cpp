@@ -17,10 +17,8 @@ namespace hariko {
 namespace {
 
 WhyNot needs_picture(const Editor& editor) {
-  return [&editor]() -> Reason {
-    if (active_picture(editor)) return {};
-    return translatable("No reference picture is chosen. Choose one in the list of objects.");
-  };
+  return only_if([&editor] { return active_picture(editor); },
+                 translatable("No reference picture is chosen. Choose one in the list of objects."));
 }
 
 /// The chosen pictures that are packed, or linked.
@@ -51,22 +49,18 @@ void add_file_rows(CommandHost& host, const std::string& menu) {
        .changes_document = true,
        .separator_before = true,
        .run = [&] { services.pack_pictures(chosen_pictures(editor, false)); },
-       .why_not = [&editor, picture]() -> Reason {
-         if (auto reason = picture()) return reason;
-         if (!chosen_pictures(editor, false).empty()) return {};
-         return translatable("The picture is in the document already.");
-       }});
+       .why_not = only_if(
+           picture, [&editor] { return !chosen_pictures(editor, false).empty(); },
+           translatable("The picture is in the document already."))});
   host.table.add({.id = "picture.unpack",
                   .menu = menu,
                   .label = "Save as a file\u2026",
                   .help = "Write a packed picture to a file and link it.",
                   .changes_document = true,
                   .run = [&] { services.unpack_picture(editor.selection.active); },
-                  .why_not = [&editor, picture]() -> Reason {
-                    if (auto reason = picture()) return reason;
-                    if (active_picture(editor)->picture()->packed()) return {};
-                    return translatable("The picture is a file already.");
-                  }});
+                  .why_not = only_if(
+                      picture, [&editor, picture] { return active_picture(editor)->picture()->packed(); },
+                      translatable("The picture is a file already."))});
   host.table.add({.id = "picture.replace",
                   .menu = menu,
                   .label = "Choose another file\u2026",
@@ -74,30 +68,28 @@ void add_file_rows(CommandHost& host, const std::string& menu) {
                   .changes_document = true,
                   .run = [&] { services.replace_picture(editor.selection.active); },
                   .why_not = picture});
-  host.table.add({.id = "picture.find",
-                  .menu = menu,
-                  .label = "Find missing pictures\u2026",
-                  .help = "Show where the first missing picture is; the others are looked for beside it.",
-                  .changes_document = true,
-                  .run =
-                      [&] {
-                        const Object& first = *editor.document().find(missing_pictures(editor).front());
-                        const std::filesystem::path path(first.picture()->path);
-                        services.find_pictures(sanitized_utf8(path.filename().string()));
-                      },
-                  .why_not = [&editor]() -> Reason {
-                    if (editor.has_document && !missing_pictures(editor).empty()) return {};
-                    return translatable("No reference picture is missing.");
-                  }});
-  host.table.add({.id = "picture.read_again",
-                  .menu = menu,
-                  .label = "Read pictures again",
-                  .help = "Show linked pictures as their files are now.",
-                  .run = [&editor] { editor.references.read_again = true; },
-                  .why_not = [&editor]() -> Reason {
-                    if (editor.has_document && !editor.references.views.empty()) return {};
-                    return translatable("The document has no reference pictures.");
-                  }});
+  host.table.add(
+      {.id = "picture.find",
+       .menu = menu,
+       .label = "Find missing pictures\u2026",
+       .help = "Show where the first missing picture is; the others are looked for beside it.",
+       .changes_document = true,
+       .run =
+           [&] {
+             const Object& first = *editor.document().find(missing_pictures(editor).front());
+             const std::filesystem::path path(first.picture()->path);
+             services.find_pictures(sanitized_utf8(path.filename().string()));
+           },
+       .why_not = only_if([&editor] { return editor.has_document && !missing_pictures(editor).empty(); },
+                          translatable("No reference picture is missing."))});
+  host.table.add(
+      {.id = "picture.read_again",
+       .menu = menu,
+       .label = "Read pictures again",
+       .help = "Show linked pictures as their files are now.",
+       .run = [&editor] { editor.references.read_again = true; },
+       .why_not = only_if([&editor] { return editor.has_document && !editor.references.views.empty(); },
+                          translatable("The document has no reference pictures."))});
 }
 
 }  // namespace

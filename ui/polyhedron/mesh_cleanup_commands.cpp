@@ -217,14 +217,12 @@ class MeshMenu {
 
 void add_merging(MeshMenu& menu, Editor& editor) {
   const auto merge = [&](const char* id, const char* label, const char* help, const char* keys, MergeAt at) {
-    menu.add(
-        id, merge_menu, label, help, keys,
-        [&editor, at]() -> Reason {
-          if (auto reason = needs_elements(editor, {.vertices = true})()) return reason;
-          if (at == MergeAt::centre || clicked_vertex(editor, at)) return {};
-          return translatable("Which vertex came first or last is not known. Click them one by one.");
-        },
-        Context::vertex, [&editor, at, label] { merge_at(editor, at, label); }, {});
+    menu.add(id, merge_menu, label, help, keys,
+             only_if(
+                 needs_elements(editor, {.vertices = true}),
+                 [&editor, at] { return at == MergeAt::centre || clicked_vertex(editor, at); },
+                 translatable("Which vertex came first or last is not known. Click them one by one.")),
+             Context::vertex, [&editor, at, label] { merge_at(editor, at, label); }, {});
   };
   merge("mesh.merge_centre", "Merge at centre", "Make one vertex of the selected ones, between them.", "M",
         MergeAt::centre);
@@ -324,21 +322,18 @@ void add_connecting(MeshMenu& menu, Editor& editor) {
              editor.selection.clear_elements();
              editor.selection.active = done->object;
            });
-  menu.add(
-      "mesh.join", "Mesh", "Join objects", "Make one object of those that are chosen.", "Ctrl+J",
-      [&editor]() -> Reason {
-        if (auto reason = needs_polyhedron(editor)()) return reason;
-        if (selected_objects(editor).size() > 1) return {};
-        return translatable("Choose two or more objects. Press 4 and click them with Shift.");
-      },
-      Context::object,
-      [&editor] {
-        std::vector<ObjectId> objects = selected_objects(editor);
-        const auto active = std::find(objects.begin(), objects.end(), editor.selection.active);
-        if (active != objects.end()) std::rotate(objects.begin(), active, active + 1);
-        editor.commit(join_objects(editor.history.current(), objects), translatable("Join objects"));
-      },
-      {});
+  menu.add("mesh.join", "Mesh", "Join objects", "Make one object of those that are chosen.", "Ctrl+J",
+           only_if(
+               needs_polyhedron(editor), [&editor] { return selected_objects(editor).size() > 1; },
+               translatable("Choose two or more objects. Press 4 and click them with Shift.")),
+           Context::object,
+           [&editor] {
+             std::vector<ObjectId> objects = selected_objects(editor);
+             const auto active = std::find(objects.begin(), objects.end(), editor.selection.active);
+             if (active != objects.end()) std::rotate(objects.begin(), active, active + 1);
+             editor.commit(join_objects(editor.history.current(), objects), translatable("Join objects"));
+           },
+           {});
 }
 
 void add_mirrors(MeshMenu& menu, Editor& editor) {
@@ -356,15 +351,12 @@ void add_mirrors(MeshMenu& menu, Editor& editor) {
   live("mirror.live_x", "Live mirror X", Axis::x);
   live("mirror.live_y", "Live mirror Y", Axis::y);
   live("mirror.live_z", "Live mirror Z", Axis::z);
-  menu.add(
-      "mirror.apply", mirror_menu, "Apply live mirror", "Make both halves the object's own.", "",
-      [&editor]() -> Reason {
-        if (auto reason = needs_polyhedron(editor)()) return reason;
-        if (editor.active_object()->polyhedron()->mirror) return {};
-        return translatable("The object has no live mirror.");
-      },
-      Context::none, [&editor] { run_operation(editor, apply_mirror, translatable("Apply live mirror")); },
-      {});
+  menu.add("mirror.apply", mirror_menu, "Apply live mirror", "Make both halves the object's own.", "",
+           only_if(
+               needs_polyhedron(editor), [&editor] { return editor.active_object()->polyhedron()->mirror; },
+               translatable("The object has no live mirror.")),
+           Context::none,
+           [&editor] { run_operation(editor, apply_mirror, translatable("Apply live mirror")); }, {});
   menu.next_group();
   const auto flip = [&](const char* id, const char* label, Axis axis) {
     menu.add(id, mirror_menu, label, "Turn the object into its mirror image.", "", needs_polyhedron(editor),

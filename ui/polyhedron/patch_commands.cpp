@@ -69,12 +69,13 @@ void add_patch_commands(CommandHost& host) {
                           "be edited, and edges attached to their sides.",
                   .changes_document = true,
                   .run = [&editor] { separate(editor); },
-                  .why_not = [&editor, object]() -> Reason {
-                    if (auto reason = object()) return reason;
-                    const BezierSource* bezier = editor.active_object()->bezier();
-                    if (bezier && bezier->patches->size() > 1) return {};
-                    return translatable("The active object does not have several welded patches.");
-                  }});
+                  .why_not = only_if(
+                      object,
+                      [&editor] {
+                        const BezierSource* bezier = editor.active_object()->bezier();
+                        return bezier && bezier->patches->size() > 1;
+                      },
+                      translatable("The active object does not have several welded patches."))});
 }
 
 }  // namespace hariko

@@ -17,21 +17,17 @@ void add_recompute_commands(CommandHost& host) {
              .keys = "F5",
              .separator_before = true,
              .run = [&editor] { editor.recompute.wants_now = true; },
-             .why_not = [&editor, document]() -> Reason {
-               if (auto reason = document()) return reason;
-               if (!editor.recompute.outdated.empty()) return {};
-               return translatable("Every surface is up to date or on its way.");
-             }});
+             .why_not = only_if(
+                 document, [&editor] { return !editor.recompute.outdated.empty(); },
+                 translatable("Every surface is up to date or on its way."))});
   table.add({.id = "surface.cancel",
              .menu = "Shape",
              .label = "Cancel computing",
              .help = "Stop computing; the last surfaces stay until the next change.",
              .run = [&editor] { editor.recompute.wants_cancel = true; },
-             .why_not = [&editor, document]() -> Reason {
-               if (auto reason = document()) return reason;
-               if (!editor.stale_since.empty()) return {};
-               return translatable("Nothing is being computed.");
-             }});
+             .why_not = only_if(
+                 document, [&editor] { return !editor.stale_since.empty(); },
+                 translatable("Nothing is being computed."))});
   const auto policy = [&](const char* id, const char* label, const char* help, RecomputePolicy value,
                           bool first) {
     table.add({.id = id,

@@ -144,11 +144,9 @@ void add_tensions(CommandHost& host) {
                                    return with_tension(document, object, elements, *copied);
                                  });
                  },
-             .why_not = [selected, copied]() -> Reason {
-               if (auto reason = selected()) return reason;
-               if (copied->alpha || copied->beta) return {};
-               return translatable("No tension was copied. Select a vertex or an edge and copy its tension.");
-             }});
+             .why_not = only_if(
+                 selected, [copied] { return copied->alpha || copied->beta; },
+                 translatable("No tension was copied. Select a vertex or an edge and copy its tension."))});
 }
 
 /// Visible polyhedra whose surfaces know frames.
@@ -182,13 +180,14 @@ void add_frames(CommandHost& host) {
            "All visible surfaces follow the angles and lengths of their polyhedra, or equal angles again.",
        .changes_document = true,
        .run = [&editor] { switch_frames(editor); },
-       .why_not = [&editor]() -> Reason {
-         if (auto reason = needs_document(editor)()) return reason;
-         bool any = false;
-         for_framed(editor.history.current(), [&](const Object&, Frames) { any = true; });
-         if (any) return {};
-         return translatable("No visible polyhedron has a surface of mode fair or target.");
-       }});
+       .why_not = only_if(
+           needs_document(editor),
+           [&editor] {
+             bool any = false;
+             for_framed(editor.history.current(), [&](const Object&, Frames) { any = true; });
+             return any;
+           },
+           translatable("No visible polyhedron has a surface of mode fair or target."))});
 }
 
 void add_tags(CommandHost& host) {

@@ -60,29 +60,26 @@ void add_file_commands(CommandHost& host, Workbench& workbench) {
              .help = "Open a file that was used before.",
              .keys = "Ctrl+Shift+O",
              .run = [&workbench] { workbench.show_recent(); },
-             .why_not = [&workbench]() -> Reason {
-               if (!workbench.offers().recent.empty()) return {};
-               return "No file was opened or saved yet.";
-             }});
+             .why_not = only_if([&workbench] { return !workbench.offers().recent.empty(); },
+                                "No file was opened or saved yet.")});
   table.add({.id = "file.samples",
              .menu = "File",
              .label = "Open a sample\u2026",
              .help = "Open a model that came with Hariko, as a copy without a file.",
              .run = [&workbench] { workbench.show_samples(); },
-             .why_not = [&workbench]() -> Reason {
-               if (!workbench.samples().empty()) return {};
-               return "The samples are not installed.";
-             }});
+             .why_not = only_if([&workbench] { return !workbench.samples().empty(); },
+                                "The samples are not installed.")});
   table.add({.id = "file.recover",
              .menu = "File",
              .label = "Recover\u2026",
              .help = "Open unsaved work of a session that ended without saving.",
              .run = [&workbench] { workbench.show_recoveries(); },
-             .why_not = [&workbench]() -> Reason {
-               const Offers& offers = workbench.offers();
-               if (offers.crash || !offers.recoveries.empty()) return {};
-               return "There is no unsaved work of an earlier session.";
-             }});
+             .why_not = only_if(
+                 [&workbench] {
+                   const Offers& offers = workbench.offers();
+                   return offers.crash || !offers.recoveries.empty();
+                 },
+                 "There is no unsaved work of an earlier session.")});
   table.add({.id = "file.save",
              .menu = "File",
              .label = "Save",
@@ -153,13 +150,14 @@ void add_file_commands(CommandHost& host, Workbench& workbench) {
        .help =
            "Write the control meshes of skins, with their creases, for programs that subdivide themselves.",
        .run = [&workbench] { workbench.files().export_control(); },
-       .why_not = [&editor, document]() -> Reason {
-         if (auto reason = document()) return reason;
-         const auto& objects = editor.document().objects;
-         const auto skin = [](const auto& object) { return object->visible && object->skin(); };
-         if (std::any_of(objects.begin(), objects.end(), skin)) return {};
-         return "No skin is visible. Only skins have control meshes.";
-       }});
+       .why_not = only_if(
+           document,
+           [&editor, document] {
+             const auto& objects = editor.document().objects;
+             const auto skin = [](const auto& object) { return object->visible && object->skin(); };
+             return std::any_of(objects.begin(), objects.end(), skin);
+           },
+           "No skin is visible. Only skins have control meshes.")});
   const WhyNot something_shown = [&editor, document]() -> Reason {
     if (auto reason = document()) return reason;
     const auto& objects = editor.document().objects;
@@ -185,10 +183,8 @@ void add_file_commands(CommandHost& host, Workbench& workbench) {
              .label = "Cancel work on files",
              .help = "Stop the import, export or picture in progress; files stay as they were.",
              .run = [&editor] { editor.cancellable_job()->cancel.cancel(); },
-             .why_not = [&editor]() -> Reason {
-               if (editor.cancellable_job()) return {};
-               return "Nothing that can be cancelled is in progress.";
-             }});
+             .why_not = only_if([&editor] { return editor.cancellable_job() != nullptr; },
+                                "Nothing that can be cancelled is in progress.")});
   table.add({.id = "file.close",
              .menu = "File",
              .label = "Close",

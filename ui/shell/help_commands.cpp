@@ -77,10 +77,8 @@ void add_help_commands(CommandHost& host, Workbench& workbench) {
              .help = translatable("End the replay that is being recorded."),
              .while_tool_runs = true,
              .run = [&workbench] { workbench.stop_recording(); },
-             .why_not = [&editor]() -> Reason {
-               if (editor.recording) return {};
-               return translatable("No replay is being recorded.");
-             }});
+             .why_not = only_if([&editor] { return editor.recording; },
+                                translatable("No replay is being recorded."))});
   table.add({.id = "help.log",
              .menu = translatable("Help"),
              .label = translatable("Open the log folder"),

@@ -20,10 +20,8 @@ namespace hariko {
 namespace {
 
 WhyNot needs_skin(const Editor& editor) {
-  return [&editor]() -> Reason {
-    if (shown_skin(editor)) return {};
-    return translatable("No skin is active. Click one in the list of objects.");
-  };
+  return only_if([&editor] { return shown_skin(editor) != nullptr; },
+                 translatable("No skin is active. Click one in the list of objects."));
 }
 
 WhyNot needs_points(const Editor& editor, bool one_section) {
@@ -38,11 +36,9 @@ WhyNot needs_points(const Editor& editor, bool one_section) {
 }
 
 WhyNot needs_path_point(const Editor& editor) {
-  return [&editor, skin = needs_skin(editor)]() -> Reason {
-    if (auto reason = skin()) return reason;
-    if (selected_path_points(editor).size() == 1) return {};
-    return translatable("Select one point of the path.");
-  };
+  return only_if(
+      needs_skin(editor), [&editor] { return selected_path_points(editor).size() == 1; },
+      translatable("Select one point of the path."));
 }
 
 const Skin& skin_of(const Editor& editor) {
@@ -60,12 +56,25 @@ int chosen_span(const Editor& editor) {
   return section.closed ? chosen.front() : std::min(chosen.front(), last - 1);
 }
 
-using MakeEdit = std::function<Result<SkinEdit>()>;
+using MakeEdit = std::function<Result<SkinEdit>(const Skin&)>;
 
-void run_edit(Editor& editor, const MakeEdit& make, const char* label) {
+void run_edit(Editor& editor, const MakeEdit& make, const char* step) {
   const ObjectId object = shown_skin(editor)->id;
-  const auto edit = make();
-  if (commit_skin(editor, object, edit, label)) select_new_points(editor, *edit);
+  const auto edit = make(skin_of(editor));
+  if (commit_skin(editor, object, edit, step)) select_new_points(editor, *edit);
+}
+
+/// A row of the menu that makes one edit; the step is called as the row is.
+void add_edit(CommandHost& host, const char* id, const char* label, const char* help, const WhyNot& why_not,
+              MakeEdit make) {
+  host.table.add(
+      {.id = id,
+       .menu = "Skin",
+       .label = label,
+       .help = help,
+       .changes_document = true,
+       .run = [&editor = host.editor, label, make = std::move(make)] { run_edit(editor, make, label); },
+       .why_not = why_not});
 }
 
 /// The middle of the strip behind the selected section, of the longest one where none is selected.
@@ -95,28 +104,27 @@ std::vector<std::uint32_t> chosen_sections(const Editor& editor) {
   return out;
 }
 
+void insert_point(Editor& editor) {
+  const auto insert = [&](const Skin& skin) {
+    const std::uint32_t section = selected_section(editor)->id;
+    const int span = chosen_span(editor);
+    return skin.mirror ? insert_section_point(skin, section, span, *skin.mirror)
+                       : insert_section_point(skin, section, span);
+  };
+  run_edit(editor, insert, translatable("Insert section point"));
+}
+
 void add_point_commands(CommandHost& host) {
   Editor& editor = host.editor;
-  const WhyNot points = needs_points(editor, false), one = needs_points(editor, true);
+  const WhyNot skin = needs_skin(editor), points = needs_points(editor, false),
+               one = needs_points(editor, true);
   host.table.add({.id = "skin.insert_point",
                   .menu = "Skin",
                   .label = "Insert point",
                   .help = "One more point behind the selected one; the section keeps its shape.",
                   .changes_document = true,
                   .separator_before = true,
-                  .run =
-                      [&editor] {
-                        run_edit(
-                            editor,
-                            [&] {
-                              const Skin& s = skin_of(editor);
-                              const std::uint32_t section = selected_section(editor)->id;
-                              const int span = chosen_span(editor);
-                              return s.mirror ? insert_section_point(s, section, span, *s.mirror)
-                                              : insert_section_point(s, section, span);
-                            },
-                            translatable("Insert section point"));
-                      },
+                  .run = [&editor] { insert_point(editor); },
                   .why_not = one});
   host.table.add({.id = "skin.delete_points",
                   .menu = "Skin",
@@ -125,80 +133,24 @@ void add_point_commands(CommandHost& host) {
                   .changes_document = true,
                   .run = [&editor] { delete_selected_points(editor); },
                   .why_not = points});
-  host.table.add({.id = "skin.refine",
-                  .menu = "Skin",
-                  .label = "Refine section",
-                  .help = "Twice as many points; the section stays exactly as it is.",
-                  .changes_document = true,
-                  .run =
-                      [&editor] {
-                        run_edit(
-                            editor,
-                            [&] { return refine_section(skin_of(editor), selected_section(editor)->id); },
-                            translatable("Refine section"));
-                      },
-                  .why_not = one});
-  host.table.add({.id = "skin.flip_section",
-                  .menu = "Skin",
-                  .label = "Turn section round",
-                  .help = "Swaps the ends of the section.",
-                  .changes_document = true,
-                  .run =
-                      [&editor] {
-                        run_edit(
-                            editor,
-                            [&] { return flip_section(skin_of(editor), selected_section(editor)->id); },
-                            translatable("Turn section round"));
-                      },
-                  .why_not = one});
-  host.table.add(
-      {.id = "skin.seam",
-       .menu = "Skin",
-       .label = "Begin section here",
-       .help = "The selected point becomes the first of its closed section.",
-       .changes_document = true,
-       .run =
-           [&editor] {
-             run_edit(
-                 editor, [&] { return move_seam(skin_of(editor), selected_section_points(editor).front()); },
-                 translatable("Begin section here"));
-           },
-       .why_not = one});
-  host.table.add(
-      {.id = "skin.symmetric",
-       .menu = "Skin",
-       .label = "Make symmetric",
-       .help = "The halves of the selected sections, or of all, become mirror images of each other.",
-       .changes_document = true,
-       .run =
-           [&editor] {
-             run_edit(
-                 editor,
-                 [&] {
-                   const Skin& skin = skin_of(editor);
-                   return make_symmetric(skin, chosen_sections(editor), mirror_plane(skin));
-                 },
-                 translatable("Make symmetric"));
-           },
-       .why_not = needs_skin(editor)});
-  host.table.add(
-      {.id = "skin.close_sections",
-       .menu = "Skin",
-       .label = "Close or open sections",
-       .help = "All sections become closed curves, or open ones.",
-       .changes_document = true,
-       .run =
-           [&editor] {
-             run_edit(
-                 editor, [&] { return set_closed(skin_of(editor), !has_closed_sections(skin_of(editor))); },
-                 translatable("Close or open sections"));
-           },
-       .why_not = needs_skin(editor)});
+  add_edit(host, "skin.refine", "Refine section", "Twice as many points; the section stays exactly as it is.",
+           one, [&editor](const Skin& s) { return refine_section(s, selected_section(editor)->id); });
+  add_edit(host, "skin.flip_section", "Turn section round", "Swaps the ends of the section.", one,
+           [&editor](const Skin& s) { return flip_section(s, selected_section(editor)->id); });
+  add_edit(host, "skin.seam", "Begin section here",
+           "The selected point becomes the first of its closed section.", one,
+           [&editor](const Skin& s) { return move_seam(s, selected_section_points(editor).front()); });
+  add_edit(host, "skin.symmetric", "Make symmetric",
+           "The halves of the selected sections, or of all, become mirror images of each other.", skin,
+           [&editor](const Skin& s) { return make_symmetric(s, chosen_sections(editor), mirror_plane(s)); });
+  add_edit(host, "skin.close_sections", "Close or open sections",
+           "All sections become closed curves, or open ones.", skin,
+           [](const Skin& s) { return set_closed(s, !has_closed_sections(s)); });
 }
 
 void add_section_commands(CommandHost& host) {
   Editor& editor = host.editor;
-  const WhyNot skin = needs_skin(editor);
+  const WhyNot skin = needs_skin(editor), one = needs_points(editor, true);
   host.table.add(
       {.id = "skin.add_section",
        .menu = "Skin",
@@ -209,119 +161,53 @@ void add_section_commands(CommandHost& host) {
        .run = [&host,
                &editor] { host.services.add_section(shown_skin(editor)->id, place_for_section(editor)); },
        .why_not = skin});
-  host.table.add(
-      {.id = "skin.section_here",
-       .menu = "Skin",
-       .label = "Add section by click\u2026",
-       .help = "A section taken from the surface where it is clicked.",
-       .run =
-           [&host] {
-             host.viewport.start_modal(make_add_section_tool(
-                 [&host](ObjectId object, double place) { host.services.add_section(object, place); }));
-           },
-       .why_not = skin});
-  host.table.add({.id = "skin.draw_section",
-                  .menu = "Skin",
-                  .label = "Draw section\u2026",
-                  .help = "A section drawn by hand or by points, in a plane across the path.",
-                  .run = [&host] { host.viewport.start_modal(make_draw_section_tool()); },
-                  .why_not = skin});
-  host.table.add({.id = "skin.slide_section",
-                  .menu = "Skin",
-                  .label = "Slide section\u2026",
-                  .help = "Moves the section of the selected points along the path.",
-                  .run =
-                      [&host, &editor] {
-                        host.viewport.start_modal(
-                            make_slide_section_tool(selected_section(editor)->id, true));
-                      },
-                  .why_not = needs_points(editor, true)});
-  host.table.add({.id = "skin.delete_section",
-                  .menu = "Skin",
-                  .label = "Delete section",
-                  .help = "Deletes the section of the selected points.",
-                  .changes_document = true,
-                  .run =
-                      [&editor] {
-                        run_edit(
-                            editor,
-                            [&] { return delete_section(skin_of(editor), selected_section(editor)->id); },
-                            translatable("Delete section"));
-                      },
-                  .why_not = needs_points(editor, true)});
+  const auto tool = [&](const char* id, const char* label, const char* help, const WhyNot& why_not,
+                        std::function<std::unique_ptr<Tool>()> make) {
+    host.table.add({.id = id,
+                    .menu = "Skin",
+                    .label = label,
+                    .help = help,
+                    .run = [&host, make = std::move(make)] { host.viewport.start_modal(make()); },
+                    .why_not = why_not});
+  };
+  tool("skin.section_here", "Add section by click\u2026",
+       "A section taken from the surface where it is clicked.", skin, [&host] {
+         return make_add_section_tool(
+             [&host](ObjectId object, double place) { host.services.add_section(object, place); });
+       });
+  tool("skin.draw_section", "Draw section\u2026",
+       "A section drawn by hand or by points, in a plane across the path.", skin, make_draw_section_tool);
+  tool("skin.slide_section", "Slide section\u2026",
+       "Moves the section of the selected points along the path.", one,
+       [&editor] { return make_slide_section_tool(selected_section(editor)->id, true); });
+  add_edit(host, "skin.delete_section", "Delete section", "Deletes the section of the selected points.", one,
+           [&editor](const Skin& s) { return delete_section(s, selected_section(editor)->id); });
 }
 
 void add_path_commands(CommandHost& host) {
   Editor& editor = host.editor;
-  const WhyNot skin = needs_skin(editor);
+  const WhyNot skin = needs_skin(editor), point = needs_path_point(editor);
+  const auto insert = [&editor](const Skin& s) {
+    return insert_path_point(s, std::min(selected_path_points(editor).front(), s.path.spans() - 1));
+  };
   host.table.add({.id = "skin.insert_path_point",
                   .menu = "Skin",
                   .label = "Insert path point",
                   .help = "One more point behind the selected one of the path; it keeps its shape.",
                   .changes_document = true,
                   .separator_before = true,
-                  .run =
-                      [&editor] {
-                        run_edit(
-                            editor,
-                            [&] {
-                              const Skin& s = skin_of(editor);
-                              return insert_path_point(
-                                  s, std::min(selected_path_points(editor).front(), s.path.spans() - 1));
-                            },
-                            translatable("Insert path point"));
-                      },
-                  .why_not = needs_path_point(editor)});
-  host.table.add(
-      {.id = "skin.delete_path_point",
-       .menu = "Skin",
-       .label = "Delete path point",
-       .help = "The path goes through the points that are left.",
-       .changes_document = true,
-       .run =
-           [&editor] {
-             run_edit(
-                 editor,
-                 [&] { return delete_path_point(skin_of(editor), selected_path_points(editor).front()); },
-                 translatable("Delete path point"));
-           },
-       .why_not = needs_path_point(editor)});
-  host.table.add({.id = "skin.refine_path",
-                  .menu = "Skin",
-                  .label = "Refine path",
-                  .help = "Twice as many points; the path stays exactly as it is.",
-                  .changes_document = true,
-                  .run =
-                      [&editor] {
-                        run_edit(
-                            editor, [&] { return refine_path(skin_of(editor)); },
-                            translatable("Refine path"));
-                      },
-                  .why_not = skin});
-  host.table.add({.id = "skin.trim_path",
-                  .menu = "Skin",
-                  .label = "Trim path",
-                  .help = "Cuts the path off at its first and its last section.",
-                  .changes_document = true,
-                  .run =
-                      [&editor] {
-                        run_edit(
-                            editor, [&] { return trim_path(skin_of(editor)); }, translatable("Trim path"));
-                      },
-                  .why_not = skin});
-  host.table.add({.id = "skin.close_path",
-                  .menu = "Skin",
-                  .label = "Close or open path",
-                  .help = "The path runs back to its beginning, or ends at its last section.",
-                  .changes_document = true,
-                  .run =
-                      [&editor] {
-                        run_edit(
-                            editor,
-                            [&] { return set_path_closed(skin_of(editor), !skin_of(editor).path.closed); },
-                            translatable("Close or open path"));
-                      },
-                  .why_not = skin});
+                  .run = [&editor, insert] { run_edit(editor, insert, translatable("Insert path point")); },
+                  .why_not = point});
+  add_edit(host, "skin.delete_path_point", "Delete path point",
+           "The path goes through the points that are left.", point,
+           [&editor](const Skin& s) { return delete_path_point(s, selected_path_points(editor).front()); });
+  add_edit(host, "skin.refine_path", "Refine path", "Twice as many points; the path stays exactly as it is.",
+           skin, refine_path);
+  add_edit(host, "skin.trim_path", "Trim path", "Cuts the path off at its first and its last section.", skin,
+           trim_path);
+  add_edit(host, "skin.close_path", "Close or open path",
+           "The path runs back to its beginning, or ends at its last section.", skin,
+           [](const Skin& s) { return set_path_closed(s, !s.path.closed); });
 }
 
 }  // namespace

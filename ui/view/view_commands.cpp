@@ -43,22 +43,18 @@ void add_framing_commands(CommandHost& host) {
              .help = "Back to where the camera was.",
              .while_tool_runs = true,
              .run = [&editor] { editor.layout.active_view().go_back(editor.now); },
-             .why_not = [&editor, document]() -> Reason {
-               if (auto reason = document()) return reason;
-               if (editor.layout.active_view().can_go_back()) return {};
-               return translatable("The camera has not moved yet.");
-             }});
+             .why_not = only_if(
+                 document, [&editor] { return editor.layout.active_view().can_go_back(); },
+                 translatable("The camera has not moved yet."))});
   table.add({.id = "view.next",
              .menu = "View",
              .label = "Next view",
              .help = "Forward again to where the camera was.",
              .while_tool_runs = true,
              .run = [&editor] { editor.layout.active_view().go_forward(editor.now); },
-             .why_not = [&editor, document]() -> Reason {
-               if (auto reason = document()) return reason;
-               if (editor.layout.active_view().can_go_forward()) return {};
-               return translatable("Nothing to go forward to: Previous view comes first.");
-             }});
+             .why_not = only_if(
+                 document, [&editor] { return editor.layout.active_view().can_go_forward(); },
+                 translatable("Nothing to go forward to: Previous view comes first."))});
 }
 
 void add_side_commands(CommandHost& host) {
