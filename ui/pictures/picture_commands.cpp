@@ -17,7 +17,7 @@ namespace hariko {
 namespace {
 
 WhyNot needs_picture(const Editor& editor) {
-  return only_if([&editor] { return active_picture(editor); },
+  return only_if([&editor] { return active_picture(editor) != nullptr; },
                  translatable("No reference picture is chosen. Choose one in the list of objects."));
 }
 
@@ -35,6 +35,12 @@ void scale_by_points(CommandHost& host) {
   const Object* object = active_picture(host.editor);
   look_at_picture(host.editor, *object);
   host.viewport.start_modal(make_picture_scale_tool(object->id));
+}
+
+void find_first_missing(CommandHost& host) {
+  const Object& first = *host.editor.document().find(missing_pictures(host.editor).front());
+  const std::filesystem::path path(first.picture()->path);
+  host.services.find_pictures(sanitized_utf8(path.filename().string()));
 }
 
 void add_file_rows(CommandHost& host, const std::string& menu) {
@@ -59,7 +65,7 @@ void add_file_rows(CommandHost& host, const std::string& menu) {
                   .changes_document = true,
                   .run = [&] { services.unpack_picture(editor.selection.active); },
                   .why_not = only_if(
-                      picture, [&editor, picture] { return active_picture(editor)->picture()->packed(); },
+                      picture, [&editor] { return active_picture(editor)->picture()->packed(); },
                       translatable("The picture is a file already."))});
   host.table.add({.id = "picture.replace",
                   .menu = menu,
@@ -74,12 +80,7 @@ void add_file_rows(CommandHost& host, const std::string& menu) {
        .label = "Find missing pictures\u2026",
        .help = "Show where the first missing picture is; the others are looked for beside it.",
        .changes_document = true,
-       .run =
-           [&] {
-             const Object& first = *editor.document().find(missing_pictures(editor).front());
-             const std::filesystem::path path(first.picture()->path);
-             services.find_pictures(sanitized_utf8(path.filename().string()));
-           },
+       .run = [&host] { find_first_missing(host); },
        .why_not = only_if([&editor] { return editor.has_document && !missing_pictures(editor).empty(); },
                           translatable("No reference picture is missing."))});
   host.table.add(

@@ -180,10 +180,10 @@ class MeshMenu {
 
   void add(const char* id, const char* label, const char* help, const char* keys, NeededElements needed,
            Context contexts, std::function<void()> run) {
-    add(id, "Mesh", label, help, keys, needs_elements(editor_, needed), contexts, std::move(run), {});
+    add(id, "Mesh", label, help, keys, needs_elements(editor_, needed), contexts, std::move(run));
   }
   void add(const char* id, const std::string& menu, const char* label, const char* help, const char* keys,
-           WhyNot why_not, Context contexts, std::function<void()> run, std::function<bool()> checked) {
+           WhyNot why_not, Context contexts, std::function<void()> run, std::function<bool()> checked = {}) {
     host_.table.add({.id = id,
                      .menu = menu,
                      .label = label,
@@ -222,7 +222,7 @@ void add_merging(MeshMenu& menu, Editor& editor) {
                  needs_elements(editor, {.vertices = true}),
                  [&editor, at] { return at == MergeAt::centre || clicked_vertex(editor, at); },
                  translatable("Which vertex came first or last is not known. Click them one by one.")),
-             Context::vertex, [&editor, at, label] { merge_at(editor, at, label); }, {});
+             Context::vertex, [&editor, at, label] { merge_at(editor, at, label); });
   };
   merge("mesh.merge_centre", "Merge at centre", "Make one vertex of the selected ones, between them.", "M",
         MergeAt::centre);
@@ -233,22 +233,20 @@ void add_merging(MeshMenu& menu, Editor& editor) {
   menu.add("mesh.merge_distance", merge_menu, "Merge by distance",
            "Merge selected vertices that are near each other.", "",
            needs_elements(editor, {.vertices = true, .edges = true, .faces = true}), any_element,
-           [&editor] { merge_near(editor); }, {});
+           [&editor] { merge_near(editor); });
   menu.add("mesh.collapse", merge_menu, "Collapse edges", "Shrink the selected edges to points.", "",
-           needs_elements(editor, {.edges = true}), Context::edge,
-           [&editor] {
+           needs_elements(editor, {.edges = true}), Context::edge, [&editor] {
              const auto edges = list_of(editor.selection.of_active().edges);
              run_operation(
                  editor, [&](const PolyhedronSource& source) { return collapse_edges(source, edges); },
                  translatable("Collapse edges"));
-           },
-           {});
+           });
 }
 
 void add_tidying(MeshMenu& menu, Editor& editor) {
   menu.add("mesh.delete", "Edit", "Delete",
            "Delete the selected elements, or the object when none are selected.", "Del", needs_object(editor),
-           any_element | Context::object, [&editor] { delete_selection(editor); }, {});
+           any_element | Context::object, [&editor] { delete_selection(editor); });
   menu.next_group();
   menu.add("mesh.dissolve", "Dissolve", "Take the selected elements away without leaving a hole.", "Ctrl+Del",
            {.vertices = true, .edges = true, .faces = true}, any_element, [&editor] {
@@ -265,8 +263,7 @@ void add_tidying(MeshMenu& menu, Editor& editor) {
                      });
   menu.add("mesh.decompose", "Mesh", "Decompose concave faces",
            "Cut concave faces into convex ones, of the selection or of the whole object.", "",
-           needs_polyhedron(editor), Context::face,
-           [&editor] {
+           needs_polyhedron(editor), Context::face, [&editor] {
              const ElementSet set = editor.selection.of_active();
              run_operation(
                  editor,
@@ -274,8 +271,7 @@ void add_tidying(MeshMenu& menu, Editor& editor) {
                    return decompose_concave_faces(source, faces_or_all(source, set));
                  },
                  translatable("Decompose concave faces"));
-           },
-           {});
+           });
   menu.next_group();
   add_merging(menu, editor);
 }
@@ -293,15 +289,13 @@ void add_connecting(MeshMenu& menu, Editor& editor) {
                      });
   menu.add(
       "mesh.flip", "Mesh", "Flip", "Turn the selected parts, or the whole object, inside out.", "",
-      needs_polyhedron(editor), Context::face,
-      [&editor] {
+      needs_polyhedron(editor), Context::face, [&editor] {
         const ElementSet set = editor.selection.of_active();
         run_operation(
             editor,
             [&](const PolyhedronSource& source) { return flip_faces(source, faces_or_all(source, set)); },
             translatable("Flip"));
-      },
-      {});
+      });
   menu.next_group();
   menu.add_operation("mesh.duplicate_faces", "Duplicate faces",
                      "Copy the selected faces as a part of their own.", "Ctrl+Shift+D", {.faces = true},
@@ -326,14 +320,12 @@ void add_connecting(MeshMenu& menu, Editor& editor) {
            only_if(
                needs_polyhedron(editor), [&editor] { return selected_objects(editor).size() > 1; },
                translatable("Choose two or more objects. Press 4 and click them with Shift.")),
-           Context::object,
-           [&editor] {
+           Context::object, [&editor] {
              std::vector<ObjectId> objects = selected_objects(editor);
              const auto active = std::find(objects.begin(), objects.end(), editor.selection.active);
              if (active != objects.end()) std::rotate(objects.begin(), active, active + 1);
              editor.commit(join_objects(editor.history.current(), objects), translatable("Join objects"));
-           },
-           {});
+           });
 }
 
 void add_mirrors(MeshMenu& menu, Editor& editor) {
@@ -353,23 +345,22 @@ void add_mirrors(MeshMenu& menu, Editor& editor) {
   live("mirror.live_z", "Live mirror Z", Axis::z);
   menu.add("mirror.apply", mirror_menu, "Apply live mirror", "Make both halves the object's own.", "",
            only_if(
-               needs_polyhedron(editor), [&editor] { return editor.active_object()->polyhedron()->mirror; },
+               needs_polyhedron(editor),
+               [&editor] { return editor.active_object()->polyhedron()->mirror.has_value(); },
                translatable("The object has no live mirror.")),
            Context::none,
-           [&editor] { run_operation(editor, apply_mirror, translatable("Apply live mirror")); }, {});
+           [&editor] { run_operation(editor, apply_mirror, translatable("Apply live mirror")); });
   menu.next_group();
   const auto flip = [&](const char* id, const char* label, Axis axis) {
     menu.add(id, mirror_menu, label, "Turn the object into its mirror image.", "", needs_polyhedron(editor),
-             Context::none,
-             [&editor, axis, label] {
+             Context::none, [&editor, axis, label] {
                run_operation(
                    editor,
                    [axis](const PolyhedronSource& source) -> Result<EditResult> {
                      return mirror_object(source, axis);
                    },
                    label);
-             },
-             {});
+             });
   };
   flip("mirror.object_x", "Mirror object X", Axis::x);
   flip("mirror.object_y", "Mirror object Y", Axis::y);

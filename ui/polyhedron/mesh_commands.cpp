@@ -138,6 +138,35 @@ void bevel_selected_vertices(CommandHost& host) {
   start(host, std::move(operation));
 }
 
+void connect_selected(Editor& editor) {
+  const ElementSet& set = editor.selection.of_active();
+  const auto vertices = list_of(set.vertices);
+  const auto edges = list_of(set.edges);
+  run_refinement(
+      editor,
+      [&](const auto& source, const SurfaceForm* on) { return connect_points(source, vertices, edges, on); },
+      translatable("Connect"));
+}
+
+void subdivide_selected(Editor& editor) {
+  const ElementSet& set = editor.selection.of_active();
+  const auto faces = list_of(set.faces);
+  const auto edges = list_of(set.edges);
+  run_refinement(
+      editor,
+      [&](const auto& source, const SurfaceForm* on) {
+        return faces.empty() ? subdivide_edges(source, edges, 1, on) : subdivide_faces(source, faces, on);
+      },
+      faces.empty() ? translatable("Subdivide edges") : translatable("Subdivide faces"));
+}
+
+void poke_selected(Editor& editor) {
+  const auto faces = list_of(editor.selection.of_active().faces);
+  run_refinement(
+      editor, [&](const auto& source, const SurfaceForm* on) { return poke_faces(source, faces, on); },
+      translatable("Poke faces"));
+}
+
 void add_dragged(CommandHost& host) {
   CommandTable& table = host.table;
   const Editor& editor = host.editor;
@@ -224,18 +253,7 @@ void add_cuts(CommandHost& host) {
        .help = "Split faces between the selected vertices, and between the middles of the selected edges.",
        .keys = "J",
        .changes_document = true,
-       .run =
-           [&editor] {
-             const ElementSet& set = editor.selection.of_active();
-             const auto vertices = list_of(set.vertices);
-             const auto edges = list_of(set.edges);
-             run_refinement(
-                 editor,
-                 [&](const auto& source, const SurfaceForm* on) {
-                   return connect_points(source, vertices, edges, on);
-                 },
-                 translatable("Connect"));
-           },
+       .run = [&editor] { connect_selected(editor); },
        .why_not = needs_elements(editor, {.vertices = true, .edges = true}),
        .contexts = Context::vertex | Context::edge});
   table.add(
@@ -245,44 +263,23 @@ void add_cuts(CommandHost& host) {
        .help = "Divide the selected faces into quads, or put a vertex on the middle of the selected edges.",
        .changes_document = true,
        .separator_before = true,
-       .run =
-           [&editor] {
-             const ElementSet& set = editor.selection.of_active();
-             const auto faces = list_of(set.faces);
-             const auto edges = list_of(set.edges);
-             run_refinement(
-                 editor,
-                 [&](const auto& source, const SurfaceForm* on) {
-                   return faces.empty() ? subdivide_edges(source, edges, 1, on)
-                                        : subdivide_faces(source, faces, on);
-                 },
-                 faces.empty() ? translatable("Subdivide edges") : translatable("Subdivide faces"));
-           },
+       .run = [&editor] { subdivide_selected(editor); },
        .why_not = needs_elements(editor, {.edges = true, .faces = true}),
        .contexts = Context::edge | Context::face});
-  table.add(
-      {.id = "mesh.poke",
-       .menu = "Mesh",
-       .label = "Poke faces",
-       .help = "Put a vertex into the middle of each selected face, with triangles round it.",
-       .changes_document = true,
-       .run =
-           [&editor] {
-             const auto faces = list_of(editor.selection.of_active().faces);
-             run_refinement(
-                 editor,
-                 [&](const auto& source, const SurfaceForm* on) { return poke_faces(source, faces, on); },
-                 translatable("Poke faces"));
-           },
-       .why_not = needs_elements(editor, {.faces = true}),
-       .contexts = Context::face});
-  table.add({.id = "mesh.on_surface",
+  table.add({.id = "mesh.poke",
              .menu = "Mesh",
-             .label = "Refine on the surface",
-             .help = "Cuts and subdivisions put new points on the surface, which keeps its form; off: on "
-                     "straight edges.",
-             .run = [&editor] { editor.settings.refine_on_surface = !editor.settings.refine_on_surface; },
-             .checked = [&editor] { return editor.settings.refine_on_surface; }});
+             .label = "Poke faces",
+             .help = "Put a vertex into the middle of each selected face, with triangles round it.",
+             .changes_document = true,
+             .run = [&editor] { poke_selected(editor); },
+             .why_not = needs_elements(editor, {.faces = true}),
+             .contexts = Context::face});
+  table.add(switching({.id = "mesh.on_surface",
+                       .menu = "Mesh",
+                       .label = "Refine on the surface",
+                       .help = "Cuts and subdivisions put new points on the surface, which keeps its form; "
+                               "off: on straight edges."},
+                      editor.settings.refine_on_surface));
 }
 
 }  // namespace

@@ -33,6 +33,11 @@ std::vector<ObjectId> chosen(const Editor& editor) {
   return objects;
 }
 
+bool has_several_patches(const Editor& editor) {
+  const BezierSource* bezier = editor.active_object()->bezier();
+  return bezier && bezier->patches->size() > 1;
+}
+
 void weld(Editor& editor) {
   const auto done = weld_patch_objects(editor.history.current(), chosen(editor));
   if (!done) return editor.notify(done.error());
@@ -65,16 +70,11 @@ void add_patch_commands(CommandHost& host) {
                   .menu = "Shape",
                   .label = "Separate patches",
                   .help = "Each patch becomes an object; the control points of those of degree 3 by 3 "
-                          "without weights can then "
-                          "be edited, and edges attached to their sides.",
+                          "without weights can then be edited, and edges attached to their sides.",
                   .changes_document = true,
                   .run = [&editor] { separate(editor); },
                   .why_not = only_if(
-                      object,
-                      [&editor] {
-                        const BezierSource* bezier = editor.active_object()->bezier();
-                        return bezier && bezier->patches->size() > 1;
-                      },
+                      object, [&editor] { return has_several_patches(editor); },
                       translatable("The active object does not have several welded patches."))});
 }
 
