@@ -177,42 +177,46 @@ void add_switches(CommandHost& host) {
        [](DisplaySettings& d) -> bool& { return d.points; });
 }
 
+/// Makes the teeth longer by a factor; twice or half as many where `density` is positive or negative.
+void change_combs(Editor& editor, double scale, int density) {
+  change_display(
+      editor, "Curvature combs",
+      [scale, density](DisplaySettings& d) {
+        d.combs.scale = std::clamp(d.combs.scale * scale, CombSettings::min_scale, CombSettings::max_scale);
+        const int wanted = density > 0 ? d.combs.density * 2 : d.combs.density / 2;
+        if (density != 0)
+          d.combs.density = std::clamp(wanted, CombSettings::min_density, CombSettings::max_density);
+      },
+      [](const DisplaySettings& from, DisplaySettings& to) { to.combs = from.combs; });
+}
+
 void add_combs(CommandHost& host) {
   Editor& editor = host.editor;
-  const WhyNot curves = needs_shown_surface(editor, true);
-  const WhyNot why_not = [&editor, curves]() -> Reason {
-    if (auto reason = curves()) return reason;
-    if (!editor.active_object()->display.combs.shown)
-      return translatable("The curvature combs are not shown.");
-    return {};
-  };
+  const WhyNot why_not = only_if(
+      needs_shown_surface(editor, true), [&editor] { return editor.active_object()->display.combs.shown; },
+      translatable("The curvature combs are not shown."));
   const auto add = [&](const char* id, const char* label, const char* help, double scale, int density) {
-    host.table.add(
-        {.id = id,
-         .menu = "Analyse/Combs",
-         .label = label,
-         .help = help,
-         .changes_document = true,
-         .run =
-             [&editor, scale, density] {
-               change_display(
-                   editor, "Curvature combs",
-                   [scale, density](DisplaySettings& d) {
-                     d.combs.scale =
-                         std::clamp(d.combs.scale * scale, CombSettings::min_scale, CombSettings::max_scale);
-                     const int wanted = density > 0 ? d.combs.density * 2 : d.combs.density / 2;
-                     if (density != 0)
-                       d.combs.density =
-                           std::clamp(wanted, CombSettings::min_density, CombSettings::max_density);
-                   },
-                   [](const DisplaySettings& from, DisplaySettings& to) { to.combs = from.combs; });
-             },
-         .why_not = why_not});
+    host.table.add({.id = id,
+                    .menu = "Analyse/Combs",
+                    .label = label,
+                    .help = help,
+                    .changes_document = true,
+                    .run = [&editor, scale, density] { change_combs(editor, scale, density); },
+                    .why_not = why_not});
   };
   add("analyse.combs_longer", "Longer teeth", "Double the length of the teeth.", 2, 0);
   add("analyse.combs_shorter", "Shorter teeth", "Halve the length of the teeth.", 0.5, 0);
   add("analyse.combs_denser", "More teeth", "Double the number of teeth.", 1, 1);
   add("analyse.combs_sparser", "Fewer teeth", "Halve the number of teeth.", 1, -1);
+}
+
+void wear(Editor& editor, Material material) {
+  const auto dress = [material](DisplaySettings& d) {
+    d = with_material(d, material);
+    d.map = SurfaceMap::shaded;
+  };
+  change_display(editor, "Material", dress,
+                 [dress](const DisplaySettings&, DisplaySettings& to) { dress(to); });
 }
 
 void add_materials(CommandHost& host) {
@@ -237,20 +241,24 @@ void add_materials(CommandHost& host) {
                     .help = "Show the surface in this material.",
                     .changes_document = true,
                     .while_tool_runs = true,
-                    .run =
-                        [&editor = host.editor, material] {
-                          const auto dress = [material](DisplaySettings& d) {
-                            d = with_material(d, material);
-                            d.map = SurfaceMap::shaded;
-                          };
-                          change_display(editor, "Material", dress,
-                                         [dress](const DisplaySettings&, DisplaySettings& to) { dress(to); });
-                        },
+                    .run = [&editor = host.editor, material] { wear(editor, material); },
                     .why_not = why_not,
                     .checked = shows(host.editor, [material](const DisplaySettings& d) {
                       return d.material == material;
                     })});
   }
+}
+
+/// The plane goes to the middle of what is visible where it lies outside.
+void show_section(Editor& editor) {
+  ViewSettings::Section& section = editor.view.section;
+  section.shown = !section.shown;
+  Box3 box;
+  for (const auto& object : editor.document().objects)
+    if (object->visible) box.extend(world_box(*object));
+  const bool outside = !box.isEmpty() && !(section.offset >= box.min()[section.axis] &&
+                                           section.offset <= box.max()[section.axis]);
+  if (section.shown && outside) section.offset = box.center()[section.axis];
 }
 
 void add_view_switches(CommandHost& host) {
@@ -262,35 +270,23 @@ void add_view_switches(CommandHost& host) {
                   .help = "Cut surfaces away beyond a plane.",
                   .keys = "Alt+S",
                   .separator_before = true,
-                  .run =
-                      [&editor] {
-                        ViewSettings::Section& section = editor.view.section;
-                        section.shown = !section.shown;
-                        Box3 box;
-                        for (const auto& object : editor.document().objects)
-                          if (object->visible) box.extend(world_box(*object));
-                        const bool outside = !box.isEmpty() && !(section.offset >= box.min()[section.axis] &&
-                                                                 section.offset <= box.max()[section.axis]);
-                        if (section.shown && outside) section.offset = box.center()[section.axis];
-                      },
+                  .run = [&editor] { show_section(editor); },
                   .why_not = document,
                   .checked = [&editor] { return editor.view.section.shown; }});
-  host.table.add({.id = "analyse.section_flip",
-                  .menu = "Analyse",
-                  .label = "Other side of the section",
-                  .help = "Keep the half that the section plane cuts away.",
-                  .run = [&editor] { editor.view.section.flipped = !editor.view.section.flipped; },
-                  .why_not = only_if([&editor] { return editor.view.section.shown; },
-                                     translatable("There is no section plane. Choose Section plane first.")),
-                  .checked = [&editor] { return editor.view.section.flipped; }});
   host.table.add(
-      {.id = "analyse.colour_blind",
-       .menu = "Analyse",
-       .label = "Colour-blind-safe maps",
-       .help = "Colour maps so that all kinds of colour vision can read them.",
-       .separator_before = true,
-       .run = [&editor] { editor.settings.colour_blind_maps = !editor.settings.colour_blind_maps; },
-       .checked = [&editor] { return editor.settings.colour_blind_maps; }});
+      switching({.id = "analyse.section_flip",
+                 .menu = "Analyse",
+                 .label = "Other side of the section",
+                 .help = "Keep the half that the section plane cuts away.",
+                 .why_not = only_if([&editor] { return editor.view.section.shown; },
+                                    translatable("There is no section plane. Choose Section plane first."))},
+                editor.view.section.flipped));
+  host.table.add(switching({.id = "analyse.colour_blind",
+                            .menu = "Analyse",
+                            .label = "Colour-blind-safe maps",
+                            .help = "Colour maps so that all kinds of colour vision can read them.",
+                            .separator_before = true},
+                           editor.settings.colour_blind_maps));
 }
 
 /// Four views for four pictures; the views from before come back after it.
@@ -309,6 +305,16 @@ void compare_meshes(Editor& editor, bool on) {
   }
 }
 
+void show_triangles(Editor& editor) {
+  if (editor.meshing.comparing()) compare_meshes(editor, false);
+  editor.meshing.open = !editor.meshing.open;
+}
+
+void show_four_meshes(Editor& editor) {
+  editor.meshing.open = true;
+  compare_meshes(editor, !editor.meshing.settings.compare);
+}
+
 void add_meshing(CommandHost& host) {
   Editor& editor = host.editor;
   const WhyNot document = needs_document(editor);
@@ -318,22 +324,14 @@ void add_meshing(CommandHost& host) {
                   .help = "Show the surface as triangles within a tolerance, and maps of their errors.",
                   .keys = "Ctrl+Alt+T",
                   .separator_before = true,
-                  .run =
-                      [&editor] {
-                        if (editor.meshing.comparing()) compare_meshes(editor, false);
-                        editor.meshing.open = !editor.meshing.open;
-                      },
+                  .run = [&editor] { show_triangles(editor); },
                   .why_not = document,
                   .checked = [&editor] { return editor.meshing.open; }});
   host.table.add({.id = "analyse.mesh_compare",
                   .menu = "Analyse",
                   .label = "Compare four pictures",
                   .help = "Show meshes made by distance and by normal angle, each with both of its errors.",
-                  .run =
-                      [&editor] {
-                        editor.meshing.open = true;
-                        compare_meshes(editor, !editor.meshing.settings.compare);
-                      },
+                  .run = [&editor] { show_four_meshes(editor); },
                   .why_not = document,
                   .checked = [&editor] { return editor.meshing.comparing(); }});
 }

@@ -26,12 +26,22 @@ void open_box(Editor& editor) {
   editor.open(std::move(document), {});
 }
 
-}  // namespace
+bool any_visible(const Editor& editor) {
+  const auto& objects = editor.document().objects;
+  return std::any_of(objects.begin(), objects.end(), [](const auto& object) { return object->visible; });
+}
 
-void add_file_commands(CommandHost& host, Workbench& workbench) {
-  CommandTable& table = host.table;
-  Editor& editor = host.editor;
-  const WhyNot document = needs_document(editor);
+bool any_visible_skin(const Editor& editor) {
+  const auto& objects = editor.document().objects;
+  return std::any_of(objects.begin(), objects.end(),
+                     [](const auto& object) { return object->visible && object->skin(); });
+}
+
+bool any_recovery(const Offers& offers) {
+  return offers.crash || !offers.recoveries.empty();
+}
+
+void add_opening(CommandTable& table, Editor& editor, Workbench& workbench) {
   table.add({.id = "file.new",
              .menu = "File",
              .label = "New",
@@ -74,12 +84,12 @@ void add_file_commands(CommandHost& host, Workbench& workbench) {
              .label = "Recover\u2026",
              .help = "Open unsaved work of a session that ended without saving.",
              .run = [&workbench] { workbench.show_recoveries(); },
-             .why_not = only_if(
-                 [&workbench] {
-                   const Offers& offers = workbench.offers();
-                   return offers.crash || !offers.recoveries.empty();
-                 },
-                 "There is no unsaved work of an earlier session.")});
+             .why_not = only_if([&workbench] { return any_recovery(workbench.offers()); },
+                                "There is no unsaved work of an earlier session.")});
+}
+
+void add_saving(CommandTable& table, Editor& editor, Workbench& workbench) {
+  const WhyNot document = needs_document(editor);
   table.add({.id = "file.save",
              .menu = "File",
              .label = "Save",
@@ -108,20 +118,18 @@ void add_file_commands(CommandHost& host, Workbench& workbench) {
              .help = "Bring back what the file holds. Undo takes it back.",
              .changes_document = true,
              .run = [&workbench] { workbench.revert(); },
-             .why_not = [&editor]() -> Reason {
-               if (!editor.has_document || !editor.path) return "The document was never saved.";
-               return {};
-             }});
-  table.add({.id = "file.import",
-             .menu = "File",
-             .label = "Import\u2026",
-             .help = "Add the polyhedron of a mesh file to the document.",
-             .keys = "Ctrl+I",
-             .icon = icon::import_file,
-             .changes_document = true,
-             .separator_before = true,
-             .run = [&workbench] { workbench.files().import(); }});
-  add_picture_commands(host);
+             .why_not = only_if([&editor] { return editor.has_document && editor.path.has_value(); },
+                                "The document was never saved.")});
+}
+
+Reason no_cad_files(const Editor& editor) {
+  if (const auto missing = why_no_cad_files())
+    return editor.language.text_of(*missing) + " " + editor.language.remedy_of(*missing);
+  return {};
+}
+
+void add_exports(CommandTable& table, Editor& editor, Workbench& workbench) {
+  const WhyNot document = needs_document(editor);
   table.add({.id = "file.export",
              .menu = "File",
              .label = "Export\u2026",
@@ -137,12 +145,11 @@ void add_file_commands(CommandHost& host, Workbench& workbench) {
        .help =
            "Write the surfaces as STEP or IGES: splines with common edges, and solids where they are closed.",
        .run = [&workbench] { workbench.files().export_cad(); },
-       .why_not = [document, &editor]() -> Reason {
-         if (auto reason = document()) return reason;
-         if (const auto missing = why_no_cad_files())
-           return editor.language.text_of(*missing) + " " + editor.language.remedy_of(*missing);
-         return {};
-       }});
+       .why_not =
+           [&editor, document] {
+             auto reason = document();
+             return reason ? reason : no_cad_files(editor);
+           }});
   table.add(
       {.id = "file.export_control",
        .menu = "File",
@@ -151,20 +158,14 @@ void add_file_commands(CommandHost& host, Workbench& workbench) {
            "Write the control meshes of skins, with their creases, for programs that subdivide themselves.",
        .run = [&workbench] { workbench.files().export_control(); },
        .why_not = only_if(
-           document,
-           [&editor, document] {
-             const auto& objects = editor.document().objects;
-             const auto skin = [](const auto& object) { return object->visible && object->skin(); };
-             return std::any_of(objects.begin(), objects.end(), skin);
-           },
+           document, [&editor] { return any_visible_skin(editor); },
            "No skin is visible. Only skins have control meshes.")});
-  const WhyNot something_shown = [&editor, document]() -> Reason {
-    if (auto reason = document()) return reason;
-    const auto& objects = editor.document().objects;
-    if (std::any_of(objects.begin(), objects.end(), [](const auto& object) { return object->visible; }))
-      return {};
-    return "No object is visible. Show one or add one.";
-  };
+}
+
+void add_pictures(CommandTable& table, Editor& editor, Workbench& workbench) {
+  const WhyNot something_shown = only_if(
+      needs_document(editor), [&editor] { return any_visible(editor); },
+      "No object is visible. Show one or add one.");
   table.add({.id = "file.export_picture",
              .menu = "File",
              .label = "Export picture\u2026",
@@ -178,6 +179,27 @@ void add_file_commands(CommandHost& host, Workbench& workbench) {
              .help = "Write a series of pictures that goes once round the model.",
              .run = [&workbench] { workbench.files().picture(true); },
              .why_not = something_shown});
+}
+
+}  // namespace
+
+void add_file_commands(CommandHost& host, Workbench& workbench) {
+  CommandTable& table = host.table;
+  Editor& editor = host.editor;
+  add_opening(table, editor, workbench);
+  add_saving(table, editor, workbench);
+  table.add({.id = "file.import",
+             .menu = "File",
+             .label = "Import\u2026",
+             .help = "Add the polyhedron of a mesh file to the document.",
+             .keys = "Ctrl+I",
+             .icon = icon::import_file,
+             .changes_document = true,
+             .separator_before = true,
+             .run = [&workbench] { workbench.files().import(); }});
+  add_picture_commands(host);
+  add_exports(table, editor, workbench);
+  add_pictures(table, editor, workbench);
   table.add({.id = "file.cancel_job",
              .menu = "File",
              .label = "Cancel work on files",
@@ -192,7 +214,7 @@ void add_file_commands(CommandHost& host, Workbench& workbench) {
              .keys = "Ctrl+W",
              .separator_before = true,
              .run = [&workbench] { workbench.close_document(); },
-             .why_not = document});
+             .why_not = needs_document(editor)});
   table.add({.id = "file.quit",
              .menu = "File",
              .label = "Quit",

@@ -52,6 +52,47 @@ void isolate(Editor& editor) {
   editor.commit(result, counted_step("Isolate object", "Isolate {0} objects", ids.size()));
 }
 
+void hide_chosen(Editor& editor) {
+  const auto ids = chosen_ids(editor);
+  edit_each(editor, ids, counted_step("Hide object", "Hide {0} objects", ids.size()),
+            [](const Document& document, ObjectId id) { return set_visible(document, id, false); });
+}
+
+bool any_hidden(const Editor& editor) {
+  const auto& objects = editor.document().objects;
+  return std::any_of(objects.begin(), objects.end(), [](const auto& object) { return !object->visible; });
+}
+
+void show_hidden(Editor& editor) {
+  std::vector<ObjectId> hidden;
+  for (const auto& object : editor.history.current().objects)
+    if (!object->visible) hidden.push_back(object->id);
+  edit_each(editor, hidden, "Show all objects",
+            [](const Document& document, ObjectId id) { return set_visible(document, id, true); });
+}
+
+/// Unlocks where the active object is locked.
+void lock_chosen(Editor& editor) {
+  const auto ids = chosen_ids(editor);
+  const bool lock = !editor.active_object()->locked;
+  edit_each(editor, ids,
+            lock ? counted_step("Lock object", "Lock {0} objects", ids.size())
+                 : counted_step("Unlock object", "Unlock {0} objects", ids.size()),
+            [lock](const Document& document, ObjectId id) { return set_locked(document, id, lock); });
+}
+
+void delete_chosen(Editor& editor) {
+  const auto ids = chosen_ids(editor);
+  const std::size_t attached = attached_to(editor.history.current(), ids);
+  if (!editor.commit(delete_objects(editor.history.current(), ids),
+                     counted_step("Delete object", "Delete {0} objects", ids.size())))
+    return;
+  if (attached > 0)
+    editor.notify(Notice::Kind::info,
+                  fill(editor.language("Attached edges that keep a copy of their side: {0}"),
+                       {std::to_string(attached)}));
+}
+
 /// All chosen objects one place up or down.
 void move_in_order(Editor& editor, bool down) {
   const auto ids = chosen_ids(editor);
@@ -78,14 +119,7 @@ void add_visibility_commands(CommandTable& table, Editor& editor, const WhyNot& 
              .icon = icon::hidden,
              .changes_document = true,
              .separator_before = true,
-             .run =
-                 [&editor] {
-                   const auto ids = chosen_ids(editor);
-                   edit_each(editor, ids, counted_step("Hide object", "Hide {0} objects", ids.size()),
-                             [](const Document& document, ObjectId id) {
-                               return set_visible(document, id, false);
-                             });
-                 },
+             .run = [&editor] { hide_chosen(editor); },
              .why_not = object,
              .contexts = Context::object});
   table.add({.id = "object.isolate",
@@ -105,37 +139,15 @@ void add_visibility_commands(CommandTable& table, Editor& editor, const WhyNot& 
        .keys = "Alt+H",
        .icon = icon::shown,
        .changes_document = true,
-       .run =
-           [&editor] {
-             std::vector<ObjectId> hidden;
-             for (const auto& candidate : editor.history.current().objects)
-               if (!candidate->visible) hidden.push_back(candidate->id);
-             edit_each(editor, hidden, "Show all objects",
-                       [](const Document& document, ObjectId id) { return set_visible(document, id, true); });
-           },
-       .why_not = [&editor]() -> Reason {
-         const auto& objects = editor.document().objects;
-         if (std::any_of(objects.begin(), objects.end(), [](const auto& each) { return !each->visible; }))
-           return {};
-         return translatable("No object is hidden.");
-       }});
+       .run = [&editor] { show_hidden(editor); },
+       .why_not = only_if([&editor] { return any_hidden(editor); }, translatable("No object is hidden."))});
   table.add({.id = "object.lock",
              .menu = "Edit",
              .label = "Lock",
              .help = "Protect the chosen objects from changes, or unlock them.",
              .icon = icon::locked,
              .changes_document = true,
-             .run =
-                 [&editor] {
-                   const auto ids = chosen_ids(editor);
-                   const bool lock = !editor.active_object()->locked;
-                   edit_each(editor, ids,
-                             lock ? counted_step("Lock object", "Lock {0} objects", ids.size())
-                                  : counted_step("Unlock object", "Unlock {0} objects", ids.size()),
-                             [lock](const Document& document, ObjectId id) {
-                               return set_locked(document, id, lock);
-                             });
-                 },
+             .run = [&editor] { lock_chosen(editor); },
              .why_not = object,
              .checked = [&editor] { return editor.active_object() && editor.active_object()->locked; },
              .contexts = Context::object});
@@ -190,18 +202,7 @@ void add_object_commands(CommandHost& host) {
              .keys = "Shift+Del",
              .icon = icon::trash,
              .changes_document = true,
-             .run =
-                 [&editor] {
-                   const auto ids = chosen_ids(editor);
-                   const std::size_t attached = attached_to(editor.history.current(), ids);
-                   if (!editor.commit(delete_objects(editor.history.current(), ids),
-                                      counted_step("Delete object", "Delete {0} objects", ids.size())))
-                     return;
-                   if (attached > 0)
-                     editor.notify(Notice::Kind::info,
-                                   fill(editor.language("Attached edges that keep a copy of their side: {0}"),
-                                        {std::to_string(attached)}));
-                 },
+             .run = [&editor] { delete_chosen(editor); },
              .why_not = object});
   add_visibility_commands(table, editor, object);
   add_order_commands(table, editor, object);

@@ -5,6 +5,15 @@
 
 namespace hariko {
 
+namespace {
+
+void start_guide(Editor& editor) {
+  if (!editor.has_document) editor.open({}, {});
+  editor.guide.start({editor.history.current(), editor.exports});
+}
+
+}  // namespace
+
 void add_start_commands(CommandHost& host) {
   Editor& editor = host.editor;
   host.table.add({.id = "help.guide",
@@ -13,11 +22,7 @@ void add_start_commands(CommandHost& host) {
                   .help = "Make a model in two minutes, step by step.",
                   .icon = icon::info,
                   .while_tool_runs = true,
-                  .run =
-                      [&editor] {
-                        if (!editor.has_document) editor.open({}, {});
-                        editor.guide.start({editor.history.current(), editor.exports});
-                      },
+                  .run = [&editor] { start_guide(editor); },
                   .checked = [&editor] { return editor.guide.shown(); }});
 }
 

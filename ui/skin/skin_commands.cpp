@@ -1,6 +1,7 @@
 // Commands of the Skin menu: correspondences, sections, the path.
 
 #include <algorithm>
+#include <memory>
 
 #include "core/skinning/edit/add_section.hpp"
 #include "core/skinning/edit/edit_path.hpp"
@@ -13,6 +14,7 @@
 #include "ui/skin/draw_skin_tool.hpp"
 #include "ui/skin/skin_commands.hpp"
 #include "ui/skin/slide_section_tool.hpp"
+#include "ui/view/viewport.hpp"
 #include "ui/widgets/command_services.hpp"
 
 namespace hariko {

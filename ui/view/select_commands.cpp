@@ -257,6 +257,12 @@ void add_similar(CommandHost& host) {
   faces("select.similar_normal", "Faces: direction", FaceLikeness::normal);
 }
 
+void select_through(Editor& editor) {
+  SelectSettings& selecting = editor.selecting;
+  bool& through = editor.camera().orthographic ? selecting.through_parallel : selecting.through;
+  through = !through;
+}
+
 void add_pointing(CommandHost& host) {
   Editor& editor = host.editor;
   Viewport& viewport = host.viewport;
@@ -268,26 +274,20 @@ void add_pointing(CommandHost& host) {
                   .separator_before = true,
                   .run = [&viewport] { viewport.start_modal(make_region_tool(true)); },
                   .why_not = needs_document(editor)});
-  host.table.add({.id = "select.lasso",
-                  .menu = "Select",
-                  .label = "Lasso",
-                  .help = "Drags that begin beside elements draw a lasso; once more for boxes.",
-                  .keys = "Q",
-                  .icon = icon::lasso,
-                  .run = [&editor] { editor.selecting.lasso = !editor.selecting.lasso; },
-                  .checked = [&editor] { return editor.selecting.lasso; }});
+  host.table.add(switching({.id = "select.lasso",
+                            .menu = "Select",
+                            .label = "Lasso",
+                            .help = "Drags that begin beside elements draw a lasso; once more for boxes.",
+                            .keys = "Q",
+                            .icon = icon::lasso},
+                           editor.selecting.lasso));
   host.table.add(
       {.id = "select.through",
        .menu = "Select",
        .label = "Select through",
        .help = "Also select what is hidden. In parallel views boxes and lassos do so from the start.",
        .keys = "Shift+Q",
-       .run =
-           [&editor] {
-             SelectSettings& selecting = editor.selecting;
-             bool& through = editor.camera().orthographic ? selecting.through_parallel : selecting.through;
-             through = !through;
-           },
+       .run = [&editor] { select_through(editor); },
        .checked = [&editor] { return editor.selecting.regions_through(editor.camera().orthographic); }});
 }
 

@@ -55,39 +55,36 @@ void add_tools(CommandHost& host) {
 void add_switches(CommandHost& host) {
   Editor& editor = host.editor;
   TransformSettings& settings = editor.transform;
-  host.table.add({.id = "transform.gizmo",
-                  .menu = "Transform",
-                  .label = "Gizmo",
-                  .help = "Show handles at the selection that move, turn and scale it.",
-                  .keys = "Shift+W",
-                  .separator_before = true,
-                  .run = [&settings] { settings.gizmo = !settings.gizmo; },
-                  .checked = [&settings] { return settings.gizmo; }});
-  host.table.add({.id = "transform.local",
-                  .menu = "Transform",
-                  .label = "Local axes",
-                  .help = "The handles follow the axes of the object instead of those of the document.",
-                  .keys = "Alt+L",
-                  .run = [&settings] { settings.local_axes = !settings.local_axes; },
-                  .checked = [&settings] { return settings.local_axes; }});
+  host.table.add(switching({.id = "transform.gizmo",
+                            .menu = "Transform",
+                            .label = "Gizmo",
+                            .help = "Show handles at the selection that move, turn and scale it.",
+                            .keys = "Shift+W",
+                            .separator_before = true},
+                           settings.gizmo));
   host.table.add(
+      switching({.id = "transform.local",
+                 .menu = "Transform",
+                 .label = "Local axes",
+                 .help = "The handles follow the axes of the object instead of those of the document.",
+                 .keys = "Alt+L"},
+                settings.local_axes));
+  host.table.add(switching(
       {.id = "transform.local_edit",
        .menu = "Transform",
        .label = "Local editing",
        .help = "Vertices change the faces round them only: tangents there are fixed, and turning or scaling "
                "changes the tangent plane.",
-       .keys = "Shift+O",
-       .run = [&settings] { settings.local_edit = !settings.local_edit; },
-       .checked = [&settings] { return settings.local_edit; }});
-  host.table.add(
+       .keys = "Shift+O"},
+      settings.local_edit));
+  host.table.add(switching(
       {.id = "transform.soft",
        .menu = "Transform",
        .label = "Soft selection",
        .help = "Vertices near the selection follow in part. The wheel changes the radius while dragging.",
        .keys = "O",
-       .separator_before = true,
-       .run = [&settings] { settings.soft.on = !settings.soft.on; },
-       .checked = [&settings] { return settings.soft.on; }});
+       .separator_before = true},
+      settings.soft.on));
   const auto falloff = [&](const char* id, const char* label, Falloff value) {
     host.table.add({.id = id,
                     .menu = "Transform",
