@@ -171,6 +171,16 @@ void toggle_mirror(Editor& editor, Axis axis) {
   editor.commit(set_mirror(half->document, object, mirror), translatable("Live mirror"));
 }
 
+/// Runs one operation on the active polyhedron and what is selected of it, as a step called `label`.
+template <class Operate>
+std::function<void()> operation(Editor& editor, const char* label, Operate operate) {
+  return [&editor, label, operate] {
+    const ElementSet set = editor.selection.of_active();
+    run_operation(
+        editor, [&](const PolyhedronSource& source) { return operate(source, set); }, label);
+  };
+}
+
 /// One row of the table; what all of these commands have in common is left out.
 class MeshMenu {
  public:
@@ -201,12 +211,7 @@ class MeshMenu {
   template <class Operate>
   void add_operation(const char* id, const char* label, const char* help, const char* keys,
                      NeededElements needed, Context contexts, Operate operate) {
-    Editor& editor = editor_;
-    add(id, label, help, keys, needed, contexts, [&editor, label, operate] {
-      const ElementSet set = editor.selection.of_active();
-      run_operation(
-          editor, [&](const PolyhedronSource& source) { return operate(source, set); }, label);
-    });
+    add(id, label, help, keys, needed, contexts, operation(editor_, label, std::move(operate)));
   }
 
  private:
@@ -235,12 +240,10 @@ void add_merging(MeshMenu& menu, Editor& editor) {
            needs_elements(editor, {.vertices = true, .edges = true, .faces = true}), any_element,
            [&editor] { merge_near(editor); });
   menu.add("mesh.collapse", merge_menu, "Collapse edges", "Shrink the selected edges to points.", "",
-           needs_elements(editor, {.edges = true}), Context::edge, [&editor] {
-             const auto edges = list_of(editor.selection.of_active().edges);
-             run_operation(
-                 editor, [&](const PolyhedronSource& source) { return collapse_edges(source, edges); },
-                 translatable("Collapse edges"));
-           });
+           needs_elements(editor, {.edges = true}), Context::edge,
+           operation(editor, "Collapse edges", [](const PolyhedronSource& source, const ElementSet& set) {
+             return collapse_edges(source, list_of(set.edges));
+           }));
 }
 
 void add_tidying(MeshMenu& menu, Editor& editor) {
@@ -248,30 +251,23 @@ void add_tidying(MeshMenu& menu, Editor& editor) {
            "Delete the selected elements, or the object when none are selected.", "Del", needs_object(editor),
            any_element | Context::object, [&editor] { delete_selection(editor); });
   menu.next_group();
-  menu.add("mesh.dissolve", "Dissolve", "Take the selected elements away without leaving a hole.", "Ctrl+Del",
-           {.vertices = true, .edges = true, .faces = true}, any_element, [&editor] {
-             const ElementSet set = editor.selection.of_active();
-             const ElementKind kind = kind_at_hand(editor);
-             run_operation(
-                 editor, [&](const PolyhedronSource& source) { return dissolved(source, set, kind); },
-                 translatable("Dissolve"));
-           });
+  menu.add_operation("mesh.dissolve", "Dissolve", "Take the selected elements away without leaving a hole.",
+                     "Ctrl+Del", {.vertices = true, .edges = true, .faces = true}, any_element,
+                     [&editor](const PolyhedronSource& source, const ElementSet& set) {
+                       return dissolved(source, set, kind_at_hand(editor));
+                     });
   menu.add_operation("mesh.triangulate", "Triangulate", "Cut the selected faces into triangles.", "Ctrl+T",
                      {.faces = true}, Context::face,
                      [](const PolyhedronSource& source, const ElementSet& set) {
                        return triangulate_faces(source, list_of(set.faces));
                      });
-  menu.add("mesh.decompose", "Mesh", "Decompose concave faces",
-           "Cut concave faces into convex ones, of the selection or of the whole object.", "",
-           needs_polyhedron(editor), Context::face, [&editor] {
-             const ElementSet set = editor.selection.of_active();
-             run_operation(
-                 editor,
-                 [&](const PolyhedronSource& source) {
-                   return decompose_concave_faces(source, faces_or_all(source, set));
-                 },
-                 translatable("Decompose concave faces"));
-           });
+  menu.add(
+      "mesh.decompose", "Mesh", "Decompose concave faces",
+      "Cut concave faces into convex ones, of the selection or of the whole object.", "",
+      needs_polyhedron(editor), Context::face,
+      operation(editor, "Decompose concave faces", [](const PolyhedronSource& source, const ElementSet& set) {
+        return decompose_concave_faces(source, faces_or_all(source, set));
+      }));
   menu.next_group();
   add_merging(menu, editor);
 }
@@ -287,15 +283,11 @@ void add_connecting(MeshMenu& menu, Editor& editor) {
                      [](const PolyhedronSource& source, const ElementSet& set) {
                        return fill_holes(source, list_of(to_edges(source.polyhedron, set).edges));
                      });
-  menu.add(
-      "mesh.flip", "Mesh", "Flip", "Turn the selected parts, or the whole object, inside out.", "",
-      needs_polyhedron(editor), Context::face, [&editor] {
-        const ElementSet set = editor.selection.of_active();
-        run_operation(
-            editor,
-            [&](const PolyhedronSource& source) { return flip_faces(source, faces_or_all(source, set)); },
-            translatable("Flip"));
-      });
+  menu.add("mesh.flip", "Mesh", "Flip", "Turn the selected parts, or the whole object, inside out.", "",
+           needs_polyhedron(editor), Context::face,
+           operation(editor, "Flip", [](const PolyhedronSource& source, const ElementSet& set) {
+             return flip_faces(source, faces_or_all(source, set));
+           }));
   menu.next_group();
   menu.add_operation("mesh.duplicate_faces", "Duplicate faces",
                      "Copy the selected faces as a part of their own.", "Ctrl+Shift+D", {.faces = true},
@@ -353,14 +345,10 @@ void add_mirrors(MeshMenu& menu, Editor& editor) {
   menu.next_group();
   const auto flip = [&](const char* id, const char* label, Axis axis) {
     menu.add(id, mirror_menu, label, "Turn the object into its mirror image.", "", needs_polyhedron(editor),
-             Context::none, [&editor, axis, label] {
-               run_operation(
-                   editor,
-                   [axis](const PolyhedronSource& source) -> Result<EditResult> {
-                     return mirror_object(source, axis);
-                   },
-                   label);
-             });
+             Context::none,
+             operation(editor, label, [axis](const PolyhedronSource& source, const ElementSet&) {
+               return mirror_object(source, axis);
+             }));
   };
   flip("mirror.object_x", "Mirror object X", Axis::x);
   flip("mirror.object_y", "Mirror object Y", Axis::y);

@@ -62,6 +62,8 @@ struct CopiedTension {
   std::optional<double> alpha, beta;
 };
 
+constexpr CopiedTension neutral_tension{0, 1};
+
 Result<Document> with_tension(const Document& document, const Object& object,
                               const ElementSelection& elements, const CopiedTension& tension) {
   Result<Document> result = document;
@@ -107,10 +109,7 @@ void add_tensions(CommandHost& host) {
                   .help = "Set \u03b1 of the selection to 0 and \u03b2 to 1.",
                   .keys = "Shift+T",
                   .changes_document = true,
-                  .run =
-                      [&editor] {
-                        give_tension(editor, "Reset tension", {0, 1});
-                      },
+                  .run = [&editor] { give_tension(editor, "Reset tension", neutral_tension); },
                   .why_not = selected});
   const auto preset = [&](const char* id, const char* label, const char* help, CopiedTension value) {
     host.table.add({.id = id,
@@ -122,7 +121,7 @@ void add_tensions(CommandHost& host) {
                     .why_not = selected});
   };
   preset("shape.preset_relaxed", "Relaxed", "\u03b1 0, \u03b2 0.2: round.", {0, 0.2});
-  preset("shape.preset_neutral", "Neutral", "\u03b1 0, \u03b2 1: the default.", {0, 1});
+  preset("shape.preset_neutral", "Neutral", "\u03b1 0, \u03b2 1: the default.", neutral_tension);
   preset("shape.preset_soft", "Soft", "\u03b1 1, \u03b2 2: a little tighter.", {1, 2});
   preset("shape.preset_tight", "Tight", "\u03b1 10, \u03b2 10: close to the polyhedron.", {10, 10});
   preset("shape.preset_point", "Point", "\u03b1 100, \u03b2 100: almost sharp.", {100, 100});
