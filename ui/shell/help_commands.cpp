@@ -30,6 +30,27 @@ void show_about(Workbench& workbench, const Language& tr) {
   workbench.ask(std::move(request));
 }
 
+void add_recording(CommandTable& table, Editor& editor, Workbench& workbench) {
+  table.add({.id = "help.record",
+             .menu = translatable("Help"),
+             .label = translatable("Record a replay\u2026"),
+             .help = translatable("Write what you do from here on to a file that plays it again."),
+             .separator_before = true,
+             .while_tool_runs = true,
+             .run = [&workbench] { workbench.files().record(); },
+             .why_not = only_if(
+                 needs_document(editor), [&editor] { return !editor.recording; },
+                 translatable("A replay is being recorded already."))});
+  table.add({.id = "help.stop_recording",
+             .menu = translatable("Help"),
+             .label = translatable("Stop recording"),
+             .help = translatable("End the replay that is being recorded."),
+             .while_tool_runs = true,
+             .run = [&workbench] { workbench.stop_recording(); },
+             .why_not = only_if([&editor] { return editor.recording; },
+                                translatable("No replay is being recorded."))});
+}
+
 }  // namespace
 
 void add_help_commands(CommandHost& host, Workbench& workbench) {
@@ -59,26 +80,7 @@ void add_help_commands(CommandHost& host, Workbench& workbench) {
              .while_tool_runs = true,
              .run = [&workbench] { workbench.show_context_menu(); },
              .why_not = needs_document(editor)});
-  table.add({.id = "help.record",
-             .menu = translatable("Help"),
-             .label = translatable("Record a replay\u2026"),
-             .help = translatable("Write what you do from here on to a file that plays it again."),
-             .separator_before = true,
-             .while_tool_runs = true,
-             .run = [&workbench] { workbench.files().record(); },
-             .why_not = [&editor, document = needs_document(editor)]() -> Reason {
-               if (auto reason = document()) return reason;
-               if (editor.recording) return translatable("A replay is being recorded already.");
-               return {};
-             }});
-  table.add({.id = "help.stop_recording",
-             .menu = translatable("Help"),
-             .label = translatable("Stop recording"),
-             .help = translatable("End the replay that is being recorded."),
-             .while_tool_runs = true,
-             .run = [&workbench] { workbench.stop_recording(); },
-             .why_not = only_if([&editor] { return editor.recording; },
-                                translatable("No replay is being recorded."))});
+  add_recording(table, editor, workbench);
   table.add({.id = "help.log",
              .menu = translatable("Help"),
              .label = translatable("Open the log folder"),

@@ -146,9 +146,7 @@ Reason needs_ball(const Editor& editor, const WhyNot& needs) {
   return translatable("The surface is a network of curves.");
 }
 
-}  // namespace
-
-void add_solid_commands(CommandHost& host) {
+void add_new_solids(CommandHost& host) {
   Editor& editor = host.editor;
   for (const NewSolid& shape : new_solids())
     host.table.add({.id = std::string("solid.") + shape.name,
@@ -171,6 +169,13 @@ void add_solid_commands(CommandHost& host) {
          }});
     first = false;
   }
+}
+
+}  // namespace
+
+void add_solid_commands(CommandHost& host) {
+  Editor& editor = host.editor;
+  add_new_solids(host);
   const WhyNot object = needs_object(editor);
   const auto chosen = [&editor, object] { return needs_chosen_solids(editor, object); };
   host.table.add({.id = "solid.duplicate",
