@@ -7,6 +7,7 @@
 #include <random>
 #include <set>
 
+#include "ui/editor/command_host.hpp"
 #include "ui/editor/menu_tree.hpp"
 
 namespace hariko {
@@ -75,6 +76,35 @@ TEST(CommandTable, RunsOrSaysWhyNot) {
   EXPECT_EQ(table.find(*KeyChord::parse("Ctrl+R"))->id, "test.run");
   EXPECT_EQ(table.find(*KeyChord::parse("R")), nullptr);
   EXPECT_EQ(table.menus(), std::vector<std::string>{"Test"});
+}
+
+TEST(CommandRows, AReasonOnTopOfAnotherIsAskedAfterIt) {
+  bool open = false, chosen = false;
+  int asked = 0;
+  const WhyNot document = only_if([&] { return open; }, "Nothing is open.");
+  const auto is_chosen = [&] {
+    ++asked;
+    return chosen;
+  };
+  const WhyNot choice = only_if(document, is_chosen, "Nothing is chosen.");
+  EXPECT_EQ(choice(), "Nothing is open.");
+  EXPECT_EQ(asked, 0);
+  open = true;
+  EXPECT_EQ(choice(), "Nothing is chosen.");
+  chosen = true;
+  EXPECT_EQ(choice(), std::nullopt);
+}
+
+TEST(CommandRows, ASwitchTurnsItsValueRoundAndShowsIt) {
+  bool on = false;
+  const Command row = switching({.id = "a", .keys = "G"}, on);
+  EXPECT_EQ(row.id, "a");
+  EXPECT_EQ(row.keys, "G");
+  for (const bool expected : {true, false}) {
+    row.run();
+    EXPECT_EQ(on, expected);
+    EXPECT_EQ(row.checked(), expected);
+  }
 }
 
 TEST(CommandTableDeathTest, RefusesASecondUseOfAnIdOrAKey) {

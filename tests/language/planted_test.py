@@ -16,7 +16,8 @@ SOURCES = {
                     'ImGui::TextUnformatted(tr("Shown"));\n'
                     'ImGui::TextUnformatted(tr(on ? "One of two"\n   : "Other "\n   "of two"));\n'
                     'marks.item("panel.mark"); ImGui::Button("##id"); heading(context, "Heading of it");\n'
-                    'table.add({"file.open", "File", "Open\\u2026", "Help text.", "Ctrl+Shift+O / F3"});\n'
+                    'table.add({.id = "file.open", .menu = "File", .label = "Open\\u2026", .help = "Help text.",\n'
+                    '           .keys = "Ctrl+Shift+O / F3"});\n'
                     "char c = '\"'; commit(document, fill(translatable(\"Move {0} things\"), {n}));\n",
 }
 CATALOGUE = {

@@ -41,6 +41,26 @@ TEST(Table, EveryCommandIsNamedExplainedAndTranslated) {
   }
 }
 
+TEST(Table, WhileAToolRunsKeysOfTheViewAndOfHelpWorkAndNoOthers) {
+  HeadlessWorkbench bench(box());
+  for (const Command& command : bench.workbench().commands().all()) {
+    const std::string menu = menu_folders(command.menu).front();
+    EXPECT_EQ(command.while_tool_runs, menu == "View" || menu == "Help") << command.id;
+  }
+  ASSERT_TRUE(bench.workbench().commands().run("select.box").ran);
+  bench.frame();
+  const bool grid = bench.editor().view.grid, lasso = bench.editor().selecting.lasso;
+  for (const bool running : {true, false}) {
+    SCOPED_TRACE(running);
+    ASSERT_EQ(bench.workbench().viewport().tool_active(), running);
+    bench.key("Shift+G");
+    bench.key("Q");
+    EXPECT_EQ(bench.editor().view.grid, running ? !grid : grid);
+    EXPECT_EQ(bench.editor().selecting.lasso, running ? lasso : !lasso);
+    if (running) bench.key("Esc");
+  }
+}
+
 TEST(Table, EveryContextOffersSomething) {
   HeadlessWorkbench bench(box());
   for (const Context context :

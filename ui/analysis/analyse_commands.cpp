@@ -105,85 +105,118 @@ void add_maps(CommandHost& host) {
   const WhyNot document = needs_document(editor);
   for (const Entry& entry : entries) {
     const SurfaceMap map = entry.map;
-    host.table.add({entry.id, "Analyse", entry.label, entry.help, entry.keys, "", false, false,
-                    [&editor, map] { show_map(editor, map); },
-                    [&editor, document, map]() -> Reason {
-                      if (auto reason = document()) return reason;
-                      return nothing_shows(editor, map);
-                    },
-                    [&editor, map] { return editor.view.map.map.value_or(SurfaceMap::shaded) == map; }});
+    host.table.add(
+        {.id = entry.id,
+         .menu = "Analyse",
+         .label = entry.label,
+         .help = entry.help,
+         .keys = entry.keys,
+         .run = [&editor, map] { show_map(editor, map); },
+         .why_not = [&editor, document, map]() -> Reason {
+           if (auto reason = document()) return reason;
+           return nothing_shows(editor, map);
+         },
+         .checked = [&editor, map] { return editor.view.map.map.value_or(SurfaceMap::shaded) == map; }});
   }
 }
 
 void add_switches(CommandHost& host) {
   Editor& editor = host.editor;
-  const auto flag = [&](const char* id, const char* menu, const char* label, const char* help,
-                        const char* keys, const char* step, bool& (*get)(DisplaySettings&),
-                        const WhyNot& why_not, bool first) {
-    host.table.add({id, menu, label, help, keys, "", true, first,
-                    [&editor, get, step] {
-                      change_display(
-                          editor, step, [get](DisplaySettings& d) { get(d) = !get(d); },
-                          [get](DisplaySettings from, DisplaySettings& to) { get(to) = get(from); });
-                    },
-                    why_not, shows(editor, [get](DisplaySettings d) { return get(d); })});
+  using Flag = bool& (*)(DisplaySettings&);
+  const auto flag = [&](Command row, const char* step, Flag get) {
+    row.changes_document = true;
+    row.run = [&editor, get, step] {
+      change_display(
+          editor, step, [get](DisplaySettings& d) { get(d) = !get(d); },
+          [get](DisplaySettings from, DisplaySettings& to) { get(to) = get(from); });
+    };
+    row.checked = shows(editor, [get](DisplaySettings d) { return get(d); });
+    host.table.add(std::move(row));
+  };
+  const auto show = [&](const char* id, const char* label, const char* help, const WhyNot& why_not,
+                        const char* step, Flag get) {
+    flag({.id = id,
+          .menu = "View/Show",
+          .label = label,
+          .help = help,
+          .while_tool_runs = true,
+          .why_not = why_not},
+         step, get);
   };
   const WhyNot surface = needs_shown_surface(editor), curves = needs_shown_surface(editor, true),
                polyhedron = needs_polyhedron(editor);
-  flag(
-      "analyse.combs", "Analyse", "Curvature combs", "Show teeth as long as the network's curves are curved.",
-      "Alt+C", "Curvature combs", [](DisplaySettings& d) -> bool& { return d.combs.shown; }, curves, true);
-  flag(
-      "analyse.marks", "Analyse", "Edge continuity", "Mark the edges by their continuity: G0, G1, G2.",
-      "Alt+E", "Edge continuity", [](DisplaySettings& d) -> bool& { return d.marks; }, curves, false);
-  flag(
-      "analyse.tensions", "Analyse", "Tensions", "Show tensions as colours and numbers.", "Alt+T",
-      "Show tensions", [](DisplaySettings& d) -> bool& { return d.tensions; }, polyhedron, false);
-  flag(
-      "show.surface", "View/Show", "Surface", "Show the surface.", "", "Show surface",
-      [](DisplaySettings& d) -> bool& { return d.surface; }, surface, false);
-  flag(
-      "show.polyhedron", "View/Show", "Polyhedron",
-      "Show the polyhedron, or what else the surface is made from.", "", "Show polyhedron",
-      [](DisplaySettings& d) -> bool& { return d.polyhedron; }, surface, false);
-  flag(
-      "show.network", "View/Show", "Network", "Show the curves over the edges.", "", "Show network",
-      [](DisplaySettings& d) -> bool& { return d.network; }, curves, false);
-  flag(
-      "show.points", "View/Show", "Points", "Show the vertices.", "", "Show points",
-      [](DisplaySettings& d) -> bool& { return d.points; }, polyhedron, false);
+  flag({.id = "analyse.combs",
+        .menu = "Analyse",
+        .label = "Curvature combs",
+        .help = "Show teeth as long as the network's curves are curved.",
+        .keys = "Alt+C",
+        .separator_before = true,
+        .why_not = curves},
+       "Curvature combs", [](DisplaySettings& d) -> bool& { return d.combs.shown; });
+  flag({.id = "analyse.marks",
+        .menu = "Analyse",
+        .label = "Edge continuity",
+        .help = "Mark the edges by their continuity: G0, G1, G2.",
+        .keys = "Alt+E",
+        .why_not = curves},
+       "Edge continuity", [](DisplaySettings& d) -> bool& { return d.marks; });
+  flag({.id = "analyse.tensions",
+        .menu = "Analyse",
+        .label = "Tensions",
+        .help = "Show tensions as colours and numbers.",
+        .keys = "Alt+T",
+        .why_not = polyhedron},
+       "Show tensions", [](DisplaySettings& d) -> bool& { return d.tensions; });
+  show("show.surface", "Surface", "Show the surface.", surface, "Show surface",
+       [](DisplaySettings& d) -> bool& { return d.surface; });
+  show("show.polyhedron", "Polyhedron", "Show the polyhedron, or what else the surface is made from.",
+       surface, "Show polyhedron", [](DisplaySettings& d) -> bool& { return d.polyhedron; });
+  show("show.network", "Network", "Show the curves over the edges.", curves, "Show network",
+       [](DisplaySettings& d) -> bool& { return d.network; });
+  show("show.points", "Points", "Show the vertices.", polyhedron, "Show points",
+       [](DisplaySettings& d) -> bool& { return d.points; });
+}
+
+/// Makes the teeth longer by a factor; twice or half as many where `density` is positive or negative.
+void change_combs(Editor& editor, double scale, int density) {
+  change_display(
+      editor, "Curvature combs",
+      [scale, density](DisplaySettings& d) {
+        d.combs.scale = std::clamp(d.combs.scale * scale, CombSettings::min_scale, CombSettings::max_scale);
+        const int wanted = density > 0 ? d.combs.density * 2 : d.combs.density / 2;
+        if (density != 0)
+          d.combs.density = std::clamp(wanted, CombSettings::min_density, CombSettings::max_density);
+      },
+      [](const DisplaySettings& from, DisplaySettings& to) { to.combs = from.combs; });
 }
 
 void add_combs(CommandHost& host) {
   Editor& editor = host.editor;
-  const WhyNot curves = needs_shown_surface(editor, true);
-  const WhyNot why_not = [&editor, curves]() -> Reason {
-    if (auto reason = curves()) return reason;
-    if (!editor.active_object()->display.combs.shown)
-      return translatable("The curvature combs are not shown.");
-    return {};
-  };
+  const WhyNot why_not = only_if(
+      needs_shown_surface(editor, true), [&editor] { return editor.active_object()->display.combs.shown; },
+      translatable("The curvature combs are not shown."));
   const auto add = [&](const char* id, const char* label, const char* help, double scale, int density) {
-    host.table.add({id, "Analyse/Combs", label, help, "", "", true, false,
-                    [&editor, scale, density] {
-                      change_display(
-                          editor, "Curvature combs",
-                          [scale, density](DisplaySettings& d) {
-                            d.combs.scale = std::clamp(d.combs.scale * scale, CombSettings::min_scale,
-                                                       CombSettings::max_scale);
-                            const int wanted = density > 0 ? d.combs.density * 2 : d.combs.density / 2;
-                            if (density != 0)
-                              d.combs.density =
-                                  std::clamp(wanted, CombSettings::min_density, CombSettings::max_density);
-                          },
-                          [](const DisplaySettings& from, DisplaySettings& to) { to.combs = from.combs; });
-                    },
-                    why_not});
+    host.table.add({.id = id,
+                    .menu = "Analyse/Combs",
+                    .label = label,
+                    .help = help,
+                    .changes_document = true,
+                    .run = [&editor, scale, density] { change_combs(editor, scale, density); },
+                    .why_not = why_not});
   };
   add("analyse.combs_longer", "Longer teeth", "Double the length of the teeth.", 2, 0);
   add("analyse.combs_shorter", "Shorter teeth", "Halve the length of the teeth.", 0.5, 0);
   add("analyse.combs_denser", "More teeth", "Double the number of teeth.", 1, 1);
   add("analyse.combs_sparser", "Fewer teeth", "Halve the number of teeth.", 1, -1);
+}
+
+void wear(Editor& editor, Material material) {
+  const auto dress = [material](DisplaySettings& d) {
+    d = with_material(d, material);
+    d.map = SurfaceMap::shaded;
+  };
+  change_display(editor, "Material", dress,
+                 [dress](const DisplaySettings&, DisplaySettings& to) { dress(to); });
 }
 
 void add_materials(CommandHost& host) {
@@ -202,56 +235,58 @@ void add_materials(CommandHost& host) {
   }};
   for (const Entry& entry : entries) {
     const Material material = entry.material;
-    host.table.add(
-        {entry.id, "View/Material", entry.label, "Show the surface in this material.", "", "", true, false,
-         [&editor = host.editor, material] {
-           const auto dress = [material](DisplaySettings& d) {
-             d = with_material(d, material);
-             d.map = SurfaceMap::shaded;
-           };
-           change_display(editor, "Material", dress,
-                          [dress](const DisplaySettings&, DisplaySettings& to) { dress(to); });
-         },
-         why_not,
-         shows(host.editor, [material](const DisplaySettings& d) { return d.material == material; })});
+    host.table.add({.id = entry.id,
+                    .menu = "View/Material",
+                    .label = entry.label,
+                    .help = "Show the surface in this material.",
+                    .changes_document = true,
+                    .while_tool_runs = true,
+                    .run = [&editor = host.editor, material] { wear(editor, material); },
+                    .why_not = why_not,
+                    .checked = shows(host.editor, [material](const DisplaySettings& d) {
+                      return d.material == material;
+                    })});
   }
+}
+
+/// The plane goes to the middle of what is visible where it lies outside.
+void show_section(Editor& editor) {
+  ViewSettings::Section& section = editor.view.section;
+  section.shown = !section.shown;
+  Box3 box;
+  for (const auto& object : editor.document().objects)
+    if (object->visible) box.extend(world_box(*object));
+  const bool outside = !box.isEmpty() && !(section.offset >= box.min()[section.axis] &&
+                                           section.offset <= box.max()[section.axis]);
+  if (section.shown && outside) section.offset = box.center()[section.axis];
 }
 
 void add_view_switches(CommandHost& host) {
   Editor& editor = host.editor;
   const WhyNot document = needs_document(editor);
-  host.table.add({"analyse.section", "Analyse", "Section plane", "Cut surfaces away beyond a plane.", "Alt+S",
-                  "", false, true,
-                  [&editor] {
-                    ViewSettings::Section& section = editor.view.section;
-                    section.shown = !section.shown;
-                    Box3 box;
-                    for (const auto& object : editor.document().objects)
-                      if (object->visible) box.extend(world_box(*object));
-                    const bool outside = !box.isEmpty() && !(section.offset >= box.min()[section.axis] &&
-                                                             section.offset <= box.max()[section.axis]);
-                    if (section.shown && outside) section.offset = box.center()[section.axis];
-                  },
-                  document, [&editor] { return editor.view.section.shown; }});
-  host.table.add({"analyse.section_flip", "Analyse", "Other side of the section",
-                  "Keep the half that the section plane cuts away.", "", "", false, false,
-                  [&editor] { editor.view.section.flipped = !editor.view.section.flipped; },
-                  [&editor]() -> Reason {
-                    if (editor.view.section.shown) return {};
-                    return translatable("There is no section plane. Choose Section plane first.");
-                  },
-                  [&editor] { return editor.view.section.flipped; }});
-  host.table.add({"analyse.colour_blind",
-                  "Analyse",
-                  "Colour-blind-safe maps",
-                  "Colour maps so that all kinds of colour vision can read them.",
-                  "",
-                  "",
-                  false,
-                  true,
-                  [&editor] { editor.settings.colour_blind_maps = !editor.settings.colour_blind_maps; },
-                  {},
-                  [&editor] { return editor.settings.colour_blind_maps; }});
+  host.table.add({.id = "analyse.section",
+                  .menu = "Analyse",
+                  .label = "Section plane",
+                  .help = "Cut surfaces away beyond a plane.",
+                  .keys = "Alt+S",
+                  .separator_before = true,
+                  .run = [&editor] { show_section(editor); },
+                  .why_not = document,
+                  .checked = [&editor] { return editor.view.section.shown; }});
+  host.table.add(
+      switching({.id = "analyse.section_flip",
+                 .menu = "Analyse",
+                 .label = "Other side of the section",
+                 .help = "Keep the half that the section plane cuts away.",
+                 .why_not = only_if([&editor] { return editor.view.section.shown; },
+                                    translatable("There is no section plane. Choose Section plane first."))},
+                editor.view.section.flipped));
+  host.table.add(switching({.id = "analyse.colour_blind",
+                            .menu = "Analyse",
+                            .label = "Colour-blind-safe maps",
+                            .help = "Colour maps so that all kinds of colour vision can read them.",
+                            .separator_before = true},
+                           editor.settings.colour_blind_maps));
 }
 
 /// Four views for four pictures; the views from before come back after it.
@@ -270,25 +305,35 @@ void compare_meshes(Editor& editor, bool on) {
   }
 }
 
+void show_triangles(Editor& editor) {
+  if (editor.meshing.comparing()) compare_meshes(editor, false);
+  editor.meshing.open = !editor.meshing.open;
+}
+
+void show_four_meshes(Editor& editor) {
+  editor.meshing.open = true;
+  compare_meshes(editor, !editor.meshing.settings.compare);
+}
+
 void add_meshing(CommandHost& host) {
   Editor& editor = host.editor;
   const WhyNot document = needs_document(editor);
-  host.table.add({"analyse.mesh", "Analyse", "Triangles",
-                  "Show the surface as triangles within a tolerance, and maps of their errors.", "Ctrl+Alt+T",
-                  "", false, true,
-                  [&editor] {
-                    if (editor.meshing.comparing()) compare_meshes(editor, false);
-                    editor.meshing.open = !editor.meshing.open;
-                  },
-                  document, [&editor] { return editor.meshing.open; }});
-  host.table.add({"analyse.mesh_compare", "Analyse", "Compare four pictures",
-                  "Show meshes made by distance and by normal angle, each with both of its errors.", "", "",
-                  false, false,
-                  [&editor] {
-                    editor.meshing.open = true;
-                    compare_meshes(editor, !editor.meshing.settings.compare);
-                  },
-                  document, [&editor] { return editor.meshing.comparing(); }});
+  host.table.add({.id = "analyse.mesh",
+                  .menu = "Analyse",
+                  .label = "Triangles",
+                  .help = "Show the surface as triangles within a tolerance, and maps of their errors.",
+                  .keys = "Ctrl+Alt+T",
+                  .separator_before = true,
+                  .run = [&editor] { show_triangles(editor); },
+                  .why_not = document,
+                  .checked = [&editor] { return editor.meshing.open; }});
+  host.table.add({.id = "analyse.mesh_compare",
+                  .menu = "Analyse",
+                  .label = "Compare four pictures",
+                  .help = "Show meshes made by distance and by normal angle, each with both of its errors.",
+                  .run = [&editor] { show_four_meshes(editor); },
+                  .why_not = document,
+                  .checked = [&editor] { return editor.meshing.comparing(); }});
 }
 
 }  // namespace

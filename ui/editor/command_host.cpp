@@ -1,6 +1,7 @@
 #include "ui/editor/command_host.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "core/document/object_shape.hpp"
 
@@ -74,6 +75,25 @@ WhyNot needs_elements(const Editor& editor, NeededElements kinds) {
     if (kinds.edges) return translatable("No edges are selected. Press 2 and click one.");
     return translatable("No faces are selected. Press 3 and click one.");
   };
+}
+
+WhyNot only_if(std::function<bool()> holds, const char* otherwise) {
+  return only_if({}, std::move(holds), otherwise);
+}
+
+WhyNot only_if(WhyNot first, std::function<bool()> holds, const char* otherwise) {
+  return [first = std::move(first), holds = std::move(holds), otherwise]() -> Reason {
+    if (first)
+      if (auto reason = first()) return reason;
+    if (holds()) return {};
+    return otherwise;
+  };
+}
+
+Command switching(Command row, bool& on) {
+  row.run = [&on] { on = !on; };
+  row.checked = [&on] { return on; };
+  return row;
 }
 
 }  // namespace hariko

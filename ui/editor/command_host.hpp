@@ -44,6 +44,12 @@ struct NeededElements {
   bool vertices = false, edges = false, faces = false;
 };
 WhyNot needs_elements(const Editor& editor, NeededElements kinds);
+/// The reason of `first`, and else the sentence `otherwise`, unless `holds`.
+WhyNot only_if(std::function<bool()> holds, const char* otherwise);
+WhyNot only_if(WhyNot first, std::function<bool()> holds, const char* otherwise);
+
+/// The row of a switch, which turns `on` round and is checked while it is on. `on` must outlive the table.
+Command switching(Command row, bool& on);
 
 // Each in a file of its own. The host must outlive the table.
 /// Stand among those of files.

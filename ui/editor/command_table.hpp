@@ -31,16 +31,19 @@ struct KeyPress {
   char32_t text = 0;
 };
 
+/// A row of the table. Rows name the members that differ from these values.
 struct Command {
-  std::string id;     ///< "file.open": stable, for tests and key files
-  std::string menu;   ///< where it stands: "File", or "View/Standard views" in a submenu; empty for no menu
-  std::string label;  ///< "Open…"
-  std::string help;   ///< one sentence
-  std::string keys;   ///< several separated by " / "; the default when added, then those in use
+  std::string id = {};  ///< "file.open": stable, for tests and key files
+  /// Where it stands: "File", or "View/Standard views" in a submenu; empty for no menu.
+  std::string menu = {};
+  std::string label = {};  ///< "Open…"
+  std::string help = {};   ///< one sentence
+  std::string keys = {};   ///< several separated by " / "; the default when added, then those in use
   const char* icon = "";
   bool changes_document = false;
   bool separator_before = false;
-  std::function<void()> run;
+  bool while_tool_runs = false;  ///< whether its keys work in the middle of a drag or a modal tool
+  std::function<void()> run = {};
   /// Why the command cannot run now, as a sentence; nothing when it can.
   std::function<std::optional<std::string>()> why_not = {};
   /// For switches: whether it is on.

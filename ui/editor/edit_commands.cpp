@@ -8,18 +8,26 @@ namespace hariko {
 void add_edit_commands(CommandHost& host) {
   CommandTable& table = host.table;
   Editor& editor = host.editor;
-  table.add({"edit.undo", "Edit", "Undo", "Take back the last step.", "Ctrl+Z", icon::undo, true, false,
-             [&editor] { editor.undo(); },
-             [&editor]() -> std::optional<std::string> {
-               if (editor.history.can_undo()) return {};
-               return translatable("There is nothing to undo.");
-             }});
-  table.add({"edit.redo", "Edit", "Redo", "Make the step again that was taken back.", "Ctrl+Shift+Z / Ctrl+Y",
-             icon::redo, true, false, [&editor] { editor.redo(); },
-             [&editor]() -> std::optional<std::string> {
-               if (editor.history.can_redo()) return {};
-               return translatable("There is nothing to redo.");
-             }});
+  table.add({.id = "edit.undo",
+             .menu = "Edit",
+             .label = "Undo",
+             .help = "Take back the last step.",
+             .keys = "Ctrl+Z",
+             .icon = icon::undo,
+             .changes_document = true,
+             .run = [&editor] { editor.undo(); },
+             .why_not = only_if([&editor] { return editor.history.can_undo(); },
+                                translatable("There is nothing to undo."))});
+  table.add({.id = "edit.redo",
+             .menu = "Edit",
+             .label = "Redo",
+             .help = "Make the step again that was taken back.",
+             .keys = "Ctrl+Shift+Z / Ctrl+Y",
+             .icon = icon::redo,
+             .changes_document = true,
+             .run = [&editor] { editor.redo(); },
+             .why_not = only_if([&editor] { return editor.history.can_redo(); },
+                                translatable("There is nothing to redo."))});
 }
 
 }  // namespace hariko

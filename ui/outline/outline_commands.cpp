@@ -16,28 +16,25 @@ namespace hariko {
 namespace {
 
 WhyNot needs_outline(const Editor& editor) {
-  return [&editor, object = needs_object(editor)]() -> Reason {
-    if (auto reason = object()) return reason;
-    if (active_outline(editor)) return {};
-    return translatable("The chosen object is not an outline. Choose one in the list of objects.");
-  };
+  return only_if(
+      needs_object(editor), [&editor] { return active_outline(editor) != nullptr; },
+      translatable("The chosen object is not an outline. Choose one in the list of objects."));
 }
 
 WhyNot needs_points(const Editor& editor) {
-  return [&editor, outline = needs_outline(editor)]() -> Reason {
-    if (auto reason = outline()) return reason;
-    if (!selected_points(editor, *active_outline(editor)).empty()) return {};
-    return translatable("No points are selected. Press 1 and click one.");
-  };
+  return only_if(
+      needs_outline(editor), [&editor] { return !selected_points(editor, *active_outline(editor)).empty(); },
+      translatable("No points are selected. Press 1 and click one."));
 }
 
 WhyNot needs_surface(const Editor& editor) {
-  return [&editor, object = needs_object(editor)]() -> Reason {
-    if (auto reason = object()) return reason;
-    const SurfaceView* view = editor.view_of(editor.selection.active);
-    if (editor.active_object()->has_surface() && view && view->surface.patch_count() > 0) return {};
-    return translatable("The chosen object has no surface.");
-  };
+  return only_if(
+      needs_object(editor),
+      [&editor] {
+        const SurfaceView* view = editor.view_of(editor.selection.active);
+        return editor.active_object()->has_surface() && view && view->surface.patch_count() > 0;
+      },
+      translatable("The chosen object has no surface."));
 }
 
 void draw_outline(CommandHost& host) {
@@ -105,24 +102,22 @@ void resample(Editor& editor, LoopMeasure measure, const char* step) {
     editor.selection.clear_elements();
 }
 
+/// Rows of the menu, which all change the document.
 struct OutlineMenu {
   CommandHost& host;
   bool group = false;
   void next_group() { group = true; }
-  void add(const char* id, const char* label, const char* help, const char* keys, std::function<void()> run,
-           WhyNot why_not, Context contexts = Context::none) {
-    host.table.add({id,
-                    translatable("Outline"),
-                    label,
-                    help,
-                    keys,
-                    "",
-                    true,
-                    group,
-                    std::move(run),
-                    std::move(why_not),
-                    {},
-                    contexts});
+  void add(const char* id, const char* label, const char* help, std::function<void()> run, WhyNot why_not,
+           Context contexts = Context::none) {
+    host.table.add({.id = id,
+                    .menu = translatable("Outline"),
+                    .label = label,
+                    .help = help,
+                    .changes_document = true,
+                    .separator_before = group,
+                    .run = std::move(run),
+                    .why_not = std::move(why_not),
+                    .contexts = contexts});
     group = false;
   }
 };
@@ -130,55 +125,52 @@ struct OutlineMenu {
 void add_drawing(OutlineMenu& menu) {
   CommandHost& host = menu.host;
   Editor& editor = host.editor;
-  host.table.add({"add.outline",
-                  "Add",
-                  "Outline",
-                  "Draw a closed loop on the ground or on a surface; a smooth surface fills it.",
-                  "",
-                  "",
-                  true,
-                  true,
-                  [&host] { draw_outline(host); },
-                  {},
-                  {},
-                  Context::empty});
+  host.table.add({.id = "add.outline",
+                  .menu = "Add",
+                  .label = "Outline",
+                  .help = "Draw a closed loop on the ground or on a surface; a smooth surface fills it.",
+                  .changes_document = true,
+                  .separator_before = true,
+                  .run = [&host] { draw_outline(host); },
+                  .contexts = Context::empty});
   menu.add(
-      "outline.add_loop", "Add loop", "Draw another loop of the outline: the surface has a hole there.", "",
+      "outline.add_loop", "Add loop", "Draw another loop of the outline: the surface has a hole there.",
       [&host] { host.viewport.start_modal(make_loop_tool(host.editor.selection.active)); },
       needs_outline(editor));
   menu.add(
       "outline.from_border", "Outline from border",
       "Make outlines of the borders of the chosen object's surface, with its normals; new surfaces go on "
       "from there.",
-      "", [&editor] { outline_from_border(editor); }, needs_surface(editor));
+      [&editor] { outline_from_border(editor); }, needs_surface(editor));
+}
+
+void show_sphere(Editor& editor) {
+  editor.gauss.shown = !editor.gauss.shown;
+  change_room_of_views(editor, editor.gauss.shown);
 }
 
 void add_sphere(CommandHost& host) {
   Editor& editor = host.editor;
-  GaussView& gauss = editor.gauss;
-  host.table.add({"outline.sphere", "Outline", "Gauss sphere",
-                  "Show the normals of the outline on a sphere beside the model, with the sites inside.", "",
-                  "", false, true,
-                  [&gauss, &editor] {
-                    gauss.shown = !gauss.shown;
-                    change_room_of_views(editor, gauss.shown);
-                  },
-                  [&gauss, outline = needs_outline(editor)]() -> Reason {
-                    if (gauss.shown) return {};
-                    return outline();
-                  },
-                  [&gauss] { return gauss.shown; }});
+  host.table.add(
+      {.id = "outline.sphere",
+       .menu = "Outline",
+       .label = "Gauss sphere",
+       .help = "Show the normals of the outline on a sphere beside the model, with the sites inside.",
+       .separator_before = true,
+       .run = [&editor] { show_sphere(editor); },
+       .why_not = [&editor,
+                   outline = needs_outline(editor)] { return editor.gauss.shown ? Reason() : outline(); },
+       .checked = [&editor] { return editor.gauss.shown; }});
 }
 
 void add_points(OutlineMenu& menu) {
   Editor& editor = menu.host.editor;
   menu.next_group();
   menu.add(
-      "outline.insert_points", "Insert points", "One more point after each selected one.", "",
+      "outline.insert_points", "Insert points", "One more point after each selected one.",
       [&editor] { insert_points(editor); }, needs_points(editor));
   menu.add(
       "outline.select_loops", "Select whole loops", "Select all points of the loops that have selected ones.",
-      "",
       [&editor] {
         const Object& object = *active_outline(editor);
         ElementSelection chosen;
@@ -188,11 +180,11 @@ void add_points(OutlineMenu& menu) {
       },
       needs_points(editor));
   menu.add(
-      "outline.resample", "Resample by normals", "Even steps of the normals along each loop.", "",
+      "outline.resample", "Resample by normals", "Even steps of the normals along each loop.",
       [&editor] { resample(editor, LoopMeasure::gauss_arc, translatable("Resample by normals")); },
       needs_outline(editor));
   menu.add(
-      "outline.resample_length", "Resample by length", "Even steps of length along each loop.", "",
+      "outline.resample_length", "Resample by length", "Even steps of length along each loop.",
       [&editor] { resample(editor, LoopMeasure::arc, translatable("Resample by length")); },
       needs_outline(editor));
 }
@@ -202,7 +194,7 @@ void add_normals(OutlineMenu& menu) {
   menu.next_group();
   menu.add(
       "outline.spread", "Spread normals",
-      "The normals of the selected points go smoothly along their loops, all other ones are replaced.", "",
+      "The normals of the selected points go smoothly along their loops, all other ones are replaced.",
       [&editor] {
         const std::set<Index> chosen = selected_points(editor, *active_outline(editor));
         change_outline(
@@ -212,7 +204,7 @@ void add_normals(OutlineMenu& menu) {
       },
       needs_points(editor));
   menu.add(
-      "outline.turn", "Turn inside out", "The other side of the surface becomes the outer one.", "",
+      "outline.turn", "Turn inside out", "The other side of the surface becomes the outer one.",
       [&editor] {
         change_outline(
             editor, [](const Outline& outline) -> Result<Outline> { return turned_inside_out(outline); },
@@ -220,7 +212,7 @@ void add_normals(OutlineMenu& menu) {
       },
       needs_outline(editor));
   menu.add(
-      "outline.forget_curvature", "Forget curvature", "Use the points and normals alone.", "",
+      "outline.forget_curvature", "Forget curvature", "Use the points and normals alone.",
       [&editor] {
         const Object& object = *active_outline(editor);
         OutlineSettings settings = object.outline()->settings;
@@ -256,7 +248,6 @@ void add_outline_commands(CommandHost& host) {
   menu.add(
       "outline.convert", "Convert to polyhedron",
       "The control points become a polyhedron whose vertices and normals can be edited; the surface stays.",
-      "",
       [&editor] {
         const ObjectId id = editor.selection.active;
         if (editor.commit(convert_outline(editor.history.current(), id),

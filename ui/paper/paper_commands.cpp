@@ -13,19 +13,15 @@ namespace hariko {
 namespace {
 
 WhyNot needs_pages(const Editor& editor) {
-  return [&editor, document = needs_document(editor)]() -> Reason {
-    if (auto reason = document()) return reason;
-    if (editor.paper.shown && editor.paper.layout) return {};
-    return translatable("There are no pages yet. Unfold the model first.");
-  };
+  return only_if(
+      needs_document(editor), [&editor] { return editor.paper.shown && editor.paper.layout; },
+      translatable("There are no pages yet. Unfold the model first."));
 }
 
 WhyNot needs_piece(const Editor& editor) {
-  return [&editor, pages = needs_pages(editor)]() -> Reason {
-    if (auto reason = pages()) return reason;
-    if (editor.paper.selected_piece() != no_index) return {};
-    return translatable("No piece is selected. Click one in the paper view.");
-  };
+  return only_if(
+      needs_pages(editor), [&editor] { return editor.paper.selected_piece() != no_index; },
+      translatable("No piece is selected. Click one in the paper view."));
 }
 
 /// The selected piece, or else the first that is too large.
@@ -35,79 +31,101 @@ Index piece_to_split(const Editor& editor) {
   return state.layout->off_page.empty() ? no_index : state.layout->off_page.front();
 }
 
+void show_paper(Editor& editor) {
+  // What is seen as a whole may be the paper, as long as it shows.
+  if (editor.paper.shown) change_room_of_views(editor, false);
+  editor.paper.shown = !editor.paper.shown;
+  editor.paper.wants_framing = true;
+  if (editor.paper.shown) change_room_of_views(editor, true);
+}
+
 void add_view_commands_of_paper(CommandHost& host) {
   Editor& editor = host.editor;
-  const WhyNot document = needs_document(editor);
-  host.table.add({"paper.show", "Paper", "Paper view", "Show the pages of a paper model beside the model.",
-                  "Ctrl+P", "", false, false,
-                  [&editor] {
-                    // What is seen as a whole may be the paper, as long as it shows.
-                    if (editor.paper.shown) change_room_of_views(editor, false);
-                    editor.paper.shown = !editor.paper.shown;
-                    editor.paper.wants_framing = true;
-                    if (editor.paper.shown) change_room_of_views(editor, true);
-                  },
-                  document, [&editor] { return editor.paper.shown; }});
-  host.table.add({"paper.in_space", "Paper", "Paper in the view",
-                  "The view of the model shows the paper instead of the objects.", "", "", false, false,
-                  [&editor] { editor.paper.in_space = !editor.paper.in_space; }, needs_pages(editor),
-                  [&editor] { return editor.paper.in_space; }});
-  host.table.add({"paper.frame", "Paper", "All pages", "Show all pages in the paper view.", "", "", false,
-                  false, [&editor] { editor.paper.wants_framing = true; }, needs_pages(editor)});
+  host.table.add({.id = "paper.show",
+                  .menu = "Paper",
+                  .label = "Paper view",
+                  .help = "Show the pages of a paper model beside the model.",
+                  .keys = "Ctrl+P",
+                  .run = [&editor] { show_paper(editor); },
+                  .why_not = needs_document(editor),
+                  .checked = [&editor] { return editor.paper.shown; }});
+  host.table.add(switching({.id = "paper.in_space",
+                            .menu = "Paper",
+                            .label = "Paper in the view",
+                            .help = "The view of the model shows the paper instead of the objects.",
+                            .why_not = needs_pages(editor)},
+                           editor.paper.in_space));
+  host.table.add({.id = "paper.frame",
+                  .menu = "Paper",
+                  .label = "All pages",
+                  .help = "Show all pages in the paper view.",
+                  .run = [&editor] { editor.paper.wants_framing = true; },
+                  .why_not = needs_pages(editor)});
+}
+
+void arrange_pages(Editor& editor) {
+  commit_paper(editor, rearrange(editor.paper.layout->unfolding), translatable("Arrange the pages"));
+}
+
+void straighten_selected(Editor& editor) {
+  commit_paper(editor, straighten_piece(editor.paper.layout->unfolding, editor.paper.selected_piece()),
+               translatable("Straighten a piece"));
+}
+
+void turn_selected(Editor& editor) {
+  commit_paper(
+      editor, turn_piece(editor.paper.layout->unfolding, editor.paper.selected_piece(), std::numbers::pi / 2),
+      translatable("Turn a piece"));
+}
+
+/// The selected piece, or else all that are too large.
+void split_to_pages(Editor& editor) {
+  Unfolding next = editor.paper.layout->unfolding;
+  const Index selected = editor.paper.selected_piece();
+  if (selected != no_index) {
+    next = split_to_fit(next, selected);
+  } else {
+    // From the last to the first: parts get the numbers behind.
+    const auto& large = editor.paper.layout->off_page;
+    for (auto piece = large.rbegin(); piece != large.rend(); ++piece) next = split_to_fit(next, *piece);
+  }
+  commit_paper(editor, rearrange(next), translatable("Split to fit the page"));
+}
+
+/// A row of the menu that changes the pages or their pieces.
+void add_paper_edit(CommandHost& host, const char* id, const char* label, const char* help,
+                    void (*edit)(Editor&), WhyNot why_not, bool first = false) {
+  host.table.add({.id = id,
+                  .menu = "Paper",
+                  .label = label,
+                  .help = help,
+                  .changes_document = true,
+                  .separator_before = first,
+                  .run = [&editor = host.editor, edit] { edit(editor); },
+                  .why_not = std::move(why_not)});
 }
 
 void add_piece_commands(CommandHost& host) {
   Editor& editor = host.editor;
-  host.table.add(
-      {"paper.straighten", "Paper", "Straighten", "Turn the piece so that it takes the least room.", "", "",
-       true, true,
-       [&editor] {
-         commit_paper(editor, straighten_piece(editor.paper.layout->unfolding, editor.paper.selected_piece()),
-                      translatable("Straighten a piece"));
-       },
-       needs_piece(editor)});
-  host.table.add(
-      {"paper.turn", "Paper", "Turn by 90\u00b0", "Turn the piece to the left.", "", "", true, false,
-       [&editor] {
-         commit_paper(
-             editor,
-             turn_piece(editor.paper.layout->unfolding, editor.paper.selected_piece(), std::numbers::pi / 2),
-             translatable("Turn a piece"));
-       },
-       needs_piece(editor)});
-  host.table.add({"paper.split_to_fit", "Paper", "Split to fit the page",
-                  "Cut the piece into parts that fit the page.", "", "", true, false,
-                  [&editor] {
-                    Unfolding next = editor.paper.layout->unfolding;
-                    const Index selected = editor.paper.selected_piece();
-                    if (selected != no_index) {
-                      next = split_to_fit(next, selected);
-                    } else {
-                      // From the last to the first: parts get the numbers behind.
-                      const auto& large = editor.paper.layout->off_page;
-                      for (auto piece = large.rbegin(); piece != large.rend(); ++piece)
-                        next = split_to_fit(next, *piece);
-                    }
-                    commit_paper(editor, rearrange(next), translatable("Split to fit the page"));
-                  },
-                  [&editor, pages = needs_pages(editor)]() -> Reason {
-                    if (auto reason = pages()) return reason;
-                    if (piece_to_split(editor) != no_index) return {};
-                    return translatable("No piece is selected. Click one in the paper view.");
-                  }});
-  host.table.add({"paper.scale_to_fit", "Paper", "Scale to fit the page",
-                  "Make the paper model so small that every piece fits the page.", "", "", true, false,
-                  [&editor] { scale_to_fit(editor); },
-                  [&editor, pages = needs_pages(editor)]() -> Reason {
-                    if (auto reason = pages()) return reason;
-                    if (editor.paper.layout->fitting < 1) return {};
-                    return translatable("Every piece fits the page.");
-                  }});
+  add_paper_edit(host, "paper.straighten", "Straighten", "Turn the piece so that it takes the least room.",
+                 straighten_selected, needs_piece(editor), true);
+  add_paper_edit(host, "paper.turn", "Turn by 90\u00b0", "Turn the piece to the left.", turn_selected,
+                 needs_piece(editor));
+  add_paper_edit(host, "paper.split_to_fit", "Split to fit the page",
+                 "Cut the piece into parts that fit the page.", split_to_pages,
+                 only_if(
+                     needs_pages(editor), [&editor] { return piece_to_split(editor) != no_index; },
+                     translatable("No piece is selected. Click one in the paper view.")));
+  add_paper_edit(host, "paper.scale_to_fit", "Scale to fit the page",
+                 "Make the paper model so small that every piece fits the page.", scale_to_fit,
+                 only_if(
+                     needs_pages(editor), [&editor] { return editor.paper.layout->fitting < 1; },
+                     translatable("Every piece fits the page.")));
 }
 
-}  // namespace
-
-namespace {
+void forget_paper(Editor& editor) {
+  editor.commit(remove_paper(editor.history.current()), translatable("Remove the paper model"));
+}
 
 /// Asks first where the pages cannot be built as they are.
 void export_pages(Editor& editor, CommandServices& services) {
@@ -122,11 +140,7 @@ void export_pages(Editor& editor, CommandServices& services) {
   services.ask({tr("Export pages"),
                 text,
                 {{tr("Go back"), "back"},
-                 {tr("Arrange"), "arrange",
-                  [&editor] {
-                    commit_paper(editor, rearrange(editor.paper.layout->unfolding),
-                                 translatable("Arrange the pages"));
-                  }},
+                 {tr("Arrange"), "arrange", [&editor] { arrange_pages(editor); }},
                  {tr("Export anyway"), "export", [&services] { services.export_pages(); }}}});
 }
 
@@ -136,39 +150,33 @@ void add_paper_commands(CommandHost& host) {
   Editor& editor = host.editor;
   CommandServices& services = host.services;
   add_view_commands_of_paper(host);
-  host.table.add({"paper.unfold", "Paper", "Unfold",
-                  "Look for cuts, so that the model lies flat on few pages.", "Ctrl+Shift+U", "", true, true,
-                  [&editor] {
-                    editor.paper.shown = true;
-                    editor.paper.wants_unfolding = true;
-                  },
-                  [&editor, document = needs_document(editor)]() -> Reason {
-                    if (auto reason = document()) return reason;
-                    if (!unfoldable_objects(editor.document()).empty()) return {};
-                    return translatable("There is no visible surface to unfold. Show an object or add one.");
-                  }});
-  host.table.add({"paper.arrange", "Paper", "Arrange", "Pack all pieces and strips on the pages anew.", "",
-                  "", true, false,
-                  [&editor] {
-                    commit_paper(editor, rearrange(editor.paper.layout->unfolding),
-                                 translatable("Arrange the pages"));
-                  },
-                  needs_pages(editor)});
+  host.table.add(
+      {.id = "paper.unfold",
+       .menu = "Paper",
+       .label = "Unfold",
+       .help = "Look for cuts, so that the model lies flat on few pages.",
+       .keys = "Ctrl+Shift+U",
+       .changes_document = true,
+       .separator_before = true,
+       .run = [&paper = editor.paper] { paper.shown = paper.wants_unfolding = true; },
+       .why_not = only_if(
+           needs_document(editor), [&editor] { return !unfoldable_objects(editor.document()).empty(); },
+           translatable("There is no visible surface to unfold. Show an object or add one."))});
+  add_paper_edit(host, "paper.arrange", "Arrange", "Pack all pieces and strips on the pages anew.",
+                 arrange_pages, needs_pages(editor));
   add_piece_commands(host);
-  host.table.add({"paper.forget", "Paper", "Remove the paper model", "Forget its cuts, places and settings.",
-                  "", "", true, false,
-                  [&editor] {
-                    editor.commit(remove_paper(editor.history.current()),
-                                  translatable("Remove the paper model"));
-                  },
-                  [&editor, document = needs_document(editor)]() -> Reason {
-                    if (auto reason = document()) return reason;
-                    if (editor.document().paper) return {};
-                    return translatable("There are no pages yet. Unfold the model first.");
-                  }});
-  host.table.add({"paper.export", "Paper", "Export pages\u2026", "Write the pages as PDF, SVG, DXF or PNG.",
-                  "", "", false, true, [&editor, &services] { export_pages(editor, services); },
-                  needs_pages(editor)});
+  add_paper_edit(host, "paper.forget", "Remove the paper model", "Forget its cuts, places and settings.",
+                 forget_paper,
+                 only_if(
+                     needs_document(editor), [&editor] { return editor.document().paper != nullptr; },
+                     translatable("There are no pages yet. Unfold the model first.")));
+  host.table.add({.id = "paper.export",
+                  .menu = "Paper",
+                  .label = "Export pages\u2026",
+                  .help = "Write the pages as PDF, SVG, DXF or PNG.",
+                  .separator_before = true,
+                  .run = [&editor, &services] { export_pages(editor, services); },
+                  .why_not = needs_pages(editor)});
 }
 
 }  // namespace hariko

@@ -18,10 +18,8 @@ namespace hariko {
 namespace {
 
 WhyNot needs_picture(const Editor& editor) {
-  return [&editor]() -> Reason {
-    if (active_picture(editor)) return {};
-    return translatable("No reference picture is chosen. Choose one in the list of objects.");
-  };
+  return only_if([&editor] { return active_picture(editor) != nullptr; },
+                 translatable("No reference picture is chosen. Choose one in the list of objects."));
 }
 
 /// The chosen pictures that are packed, or linked.
@@ -40,49 +38,61 @@ void scale_by_points(CommandHost& host) {
   host.viewport.start_modal(make_picture_scale_tool(object->id));
 }
 
+void find_first_missing(CommandHost& host) {
+  const Object& first = *host.editor.document().find(missing_pictures(host.editor).front());
+  const std::filesystem::path path(first.picture()->path);
+  host.services.find_pictures(sanitized_utf8(path.filename().string()));
+}
+
 void add_file_rows(CommandHost& host, const std::string& menu) {
   Editor& editor = host.editor;
   CommandServices& services = host.services;
   ApplicationServices& application = host.application;
   const WhyNot picture = needs_picture(editor);
-  host.table.add({"picture.pack", menu, "Pack into the document",
-                  "Take the files of the chosen pictures into the document, so that they go where it goes.",
-                  "", "", true, true, [&] { application.pack_pictures(chosen_pictures(editor, false)); },
-                  [&editor, picture]() -> Reason {
-                    if (auto reason = picture()) return reason;
-                    if (!chosen_pictures(editor, false).empty()) return {};
-                    return translatable("The picture is in the document already.");
-                  }});
-  host.table.add({"picture.unpack", menu, "Save as a file\u2026",
-                  "Write a packed picture to a file and link it.", "", "", true, false,
-                  [&] { services.unpack_picture(editor.selection.active); },
-                  [&editor, picture]() -> Reason {
-                    if (auto reason = picture()) return reason;
-                    if (active_picture(editor)->picture()->packed()) return {};
-                    return translatable("The picture is a file already.");
-                  }});
-  host.table.add({"picture.replace", menu, "Choose another file\u2026",
-                  "Show another picture in this one's place.", "", "", true, false,
-                  [&] { services.replace_picture(editor.selection.active); }, picture});
-  host.table.add({"picture.find", menu, "Find missing pictures\u2026",
-                  "Show where the first missing picture is; the others are looked for beside it.", "", "",
-                  true, false,
-                  [&] {
-                    const Object& first = *editor.document().find(missing_pictures(editor).front());
-                    const std::filesystem::path path(first.picture()->path);
-                    services.find_pictures(sanitized_utf8(path.filename().string()));
-                  },
-                  [&editor]() -> Reason {
-                    if (editor.has_document && !missing_pictures(editor).empty()) return {};
-                    return translatable("No reference picture is missing.");
-                  }});
-  host.table.add({"picture.read_again", menu, "Read pictures again",
-                  "Show linked pictures as their files are now.", "", "", false, false,
-                  [&editor] { editor.references.read_again = true; },
-                  [&editor]() -> Reason {
-                    if (editor.has_document && !editor.references.views.empty()) return {};
-                    return translatable("The document has no reference pictures.");
-                  }});
+  host.table.add(
+      {.id = "picture.pack",
+       .menu = menu,
+       .label = "Pack into the document",
+       .help = "Take the files of the chosen pictures into the document, so that they go where it goes.",
+       .changes_document = true,
+       .separator_before = true,
+       .run = [&] { application.pack_pictures(chosen_pictures(editor, false)); },
+       .why_not = only_if(
+           picture, [&editor] { return !chosen_pictures(editor, false).empty(); },
+           translatable("The picture is in the document already."))});
+  host.table.add({.id = "picture.unpack",
+                  .menu = menu,
+                  .label = "Save as a file\u2026",
+                  .help = "Write a packed picture to a file and link it.",
+                  .changes_document = true,
+                  .run = [&] { services.unpack_picture(editor.selection.active); },
+                  .why_not = only_if(
+                      picture, [&editor] { return active_picture(editor)->picture()->packed(); },
+                      translatable("The picture is a file already."))});
+  host.table.add({.id = "picture.replace",
+                  .menu = menu,
+                  .label = "Choose another file\u2026",
+                  .help = "Show another picture in this one's place.",
+                  .changes_document = true,
+                  .run = [&] { services.replace_picture(editor.selection.active); },
+                  .why_not = picture});
+  host.table.add(
+      {.id = "picture.find",
+       .menu = menu,
+       .label = "Find missing pictures\u2026",
+       .help = "Show where the first missing picture is; the others are looked for beside it.",
+       .changes_document = true,
+       .run = [&host] { find_first_missing(host); },
+       .why_not = only_if([&editor] { return editor.has_document && !missing_pictures(editor).empty(); },
+                          translatable("No reference picture is missing."))});
+  host.table.add(
+      {.id = "picture.read_again",
+       .menu = menu,
+       .label = "Read pictures again",
+       .help = "Show linked pictures as their files are now.",
+       .run = [&editor] { editor.references.read_again = true; },
+       .why_not = only_if([&editor] { return editor.has_document && !editor.references.views.empty(); },
+                          translatable("The document has no reference pictures."))});
 }
 
 }  // namespace
@@ -90,23 +100,22 @@ void add_file_rows(CommandHost& host, const std::string& menu) {
 void add_picture_commands(CommandHost& host) {
   Editor& editor = host.editor;
   CommandServices& services = host.services;
-  host.table.add({"picture.add",
-                  "File",
-                  "Add reference picture\u2026",
-                  "Put a photograph or a drawing (PNG or JPEG) into the scene, to model by.",
-                  "",
-                  icon::picture,
-                  true,
-                  false,
-                  [&services] { services.add_picture(); },
-                  {},
-                  {},
-                  Context::empty});
+  host.table.add({.id = "picture.add",
+                  .menu = "File",
+                  .label = "Add reference picture\u2026",
+                  .help = "Put a photograph or a drawing (PNG or JPEG) into the scene, to model by.",
+                  .icon = icon::picture,
+                  .changes_document = true,
+                  .run = [&services] { services.add_picture(); },
+                  .contexts = Context::empty});
   const std::string menu = submenu("File", translatable("Reference pictures"));
-  host.table.add({"picture.scale", menu, "Scale by two points",
-                  "Click two points of the picture and type how far apart they are.", "", "", true, false,
-                  [&host] { scale_by_points(host); },
-                  [&editor, picture = needs_picture(editor)]() -> Reason {
+  host.table.add({.id = "picture.scale",
+                  .menu = menu,
+                  .label = "Scale by two points",
+                  .help = "Click two points of the picture and type how far apart they are.",
+                  .changes_document = true,
+                  .run = [&host] { scale_by_points(host); },
+                  .why_not = [&editor, picture = needs_picture(editor)]() -> Reason {
                     if (auto reason = picture()) return reason;
                     const Object& object = *active_picture(editor);
                     if (object.locked) return translatable("The picture is locked. Unlock it first.");

@@ -100,45 +100,58 @@ std::optional<VertexId> misfit(const Editor& editor) {
   return VertexId{static_cast<std::uint32_t>(view->error->element.id)};
 }
 
+void release_chosen_edges(Editor& editor) {
+  prefer_polyhedron(editor);
+  editor.commit(release_edges(editor.history.current(), editor.selection.active, border_edges(editor)),
+                "Release edges");
+}
+
+bool attached_edge_chosen(const Editor& editor) {
+  const Object* object = editor.active_object();
+  return object && object->polyhedron() && std::ranges::any_of(border_edges(editor), [&](const EdgeId& edge) {
+           return object->polyhedron()->attachments->contains(edge);
+         });
+}
+
+void adapt_patch(Editor& editor) {
+  if (const auto vertex = misfit(editor))
+    editor.commit(let_patch_adapt(editor.history.current(), editor.selection.active, *vertex),
+                  "Let patch adapt");
+}
+
 }  // namespace
 
 void add_attach_commands(CommandHost& host) {
   Editor& editor = host.editor;
   host.table.add(
-      {"shape.attach", "Shape", "Attach to patch side",
-       "Join the selected border edges to the nearest sides of patch objects, or to the side that is "
-       "selected too.",
-       "", "", true, true, [&editor] { attach(editor); }, needs_side(editor)});
+      {.id = "shape.attach",
+       .menu = "Shape",
+       .label = "Attach to patch side",
+       .help = "Join the selected border edges to the nearest sides of patch objects, or to the side that is "
+               "selected too.",
+       .changes_document = true,
+       .separator_before = true,
+       .run = [&editor] { attach(editor); },
+       .why_not = needs_side(editor)});
+  host.table.add({.id = "shape.release_edges",
+                  .menu = "Shape",
+                  .label = "Release attached edges",
+                  .help = "The selected border edges follow their patches no more.",
+                  .changes_document = true,
+                  .run = [&editor] { release_chosen_edges(editor); },
+                  .why_not = only_if(
+                      needs_border_edges(editor), [&editor] { return attached_edge_chosen(editor); },
+                      translatable("None of the selected edges is attached."))});
   host.table.add(
-      {"shape.release_edges", "Shape", "Release attached edges",
-       "The selected border edges follow their patches no more.", "", "", true, false,
-       [&editor] {
-         prefer_polyhedron(editor);
-         editor.commit(release_edges(editor.history.current(), editor.selection.active, border_edges(editor)),
-                       "Release edges");
-       },
-       [&editor]() -> Reason {
-         if (auto reason = needs_border_edges(editor)()) return reason;
-         const Object* object = editor.active_object();
-         if (object && object->polyhedron())
-           for (const EdgeId& edge : border_edges(editor))
-             if (object->polyhedron()->attachments->contains(edge)) return {};
-         return translatable("None of the selected edges is attached.");
-       }});
-  host.table.add({"shape.adapt_patch", "Shape", "Let the patch adapt",
-                  "Where joined patches do not fit each other, one of them follows the surface instead.", "",
-                  "", true, false,
-                  [&editor] {
-                    if (const auto vertex = misfit(editor))
-                      editor.commit(
-                          let_patch_adapt(editor.history.current(), editor.selection.active, *vertex),
-                          "Let patch adapt");
-                  },
-                  [&editor]() -> Reason {
-                    if (auto reason = needs_polyhedron(editor)()) return reason;
-                    if (misfit(editor)) return {};
-                    return translatable("The joined patches fit each other.");
-                  }});
+      {.id = "shape.adapt_patch",
+       .menu = "Shape",
+       .label = "Let the patch adapt",
+       .help = "Where joined patches do not fit each other, one of them follows the surface instead.",
+       .changes_document = true,
+       .run = [&editor] { adapt_patch(editor); },
+       .why_not = only_if(
+           needs_polyhedron(editor), [&editor] { return misfit(editor).has_value(); },
+           translatable("The joined patches fit each other."))});
 }
 
 }  // namespace hariko

@@ -171,6 +171,16 @@ void toggle_mirror(Editor& editor, Axis axis) {
   editor.commit(set_mirror(half->document, object, mirror), translatable("Live mirror"));
 }
 
+/// Runs one operation on the active polyhedron and what is selected of it, as a step called `label`.
+template <class Operate>
+std::function<void()> operation(Editor& editor, const char* label, Operate operate) {
+  return [&editor, label, operate] {
+    const ElementSet set = editor.selection.of_active();
+    run_operation(
+        editor, [&](const PolyhedronSource& source) { return operate(source, set); }, label);
+  };
+}
+
 /// One row of the table; what all of these commands have in common is left out.
 class MeshMenu {
  public:
@@ -180,24 +190,28 @@ class MeshMenu {
 
   void add(const char* id, const char* label, const char* help, const char* keys, NeededElements needed,
            Context contexts, std::function<void()> run) {
-    add(id, "Mesh", label, help, keys, needs_elements(editor_, needed), contexts, std::move(run), {});
+    add(id, "Mesh", label, help, keys, needs_elements(editor_, needed), contexts, std::move(run));
   }
   void add(const char* id, const std::string& menu, const char* label, const char* help, const char* keys,
-           WhyNot why_not, Context contexts, std::function<void()> run, std::function<bool()> checked) {
-    host_.table.add({id, menu, label, help, keys, "", true, separator_, std::move(run), std::move(why_not),
-                     std::move(checked), contexts});
+           WhyNot why_not, Context contexts, std::function<void()> run, std::function<bool()> checked = {}) {
+    host_.table.add({.id = id,
+                     .menu = menu,
+                     .label = label,
+                     .help = help,
+                     .keys = keys,
+                     .changes_document = true,
+                     .separator_before = separator_,
+                     .run = std::move(run),
+                     .why_not = std::move(why_not),
+                     .checked = std::move(checked),
+                     .contexts = contexts});
     separator_ = false;
   }
   /// A command that is one operation on the active polyhedron and what is selected of it.
   template <class Operate>
   void add_operation(const char* id, const char* label, const char* help, const char* keys,
                      NeededElements needed, Context contexts, Operate operate) {
-    Editor& editor = editor_;
-    add(id, label, help, keys, needed, contexts, [&editor, label, operate] {
-      const ElementSet set = editor.selection.of_active();
-      run_operation(
-          editor, [&](const PolyhedronSource& source) { return operate(source, set); }, label);
-    });
+    add(id, label, help, keys, needed, contexts, operation(editor_, label, std::move(operate)));
   }
 
  private:
@@ -208,14 +222,12 @@ class MeshMenu {
 
 void add_merging(MeshMenu& menu, Editor& editor) {
   const auto merge = [&](const char* id, const char* label, const char* help, const char* keys, MergeAt at) {
-    menu.add(
-        id, merge_menu, label, help, keys,
-        [&editor, at]() -> Reason {
-          if (auto reason = needs_elements(editor, {.vertices = true})()) return reason;
-          if (at == MergeAt::centre || clicked_vertex(editor, at)) return {};
-          return translatable("Which vertex came first or last is not known. Click them one by one.");
-        },
-        Context::vertex, [&editor, at, label] { merge_at(editor, at, label); }, {});
+    menu.add(id, merge_menu, label, help, keys,
+             only_if(
+                 needs_elements(editor, {.vertices = true}),
+                 [&editor, at] { return at == MergeAt::centre || clicked_vertex(editor, at); },
+                 translatable("Which vertex came first or last is not known. Click them one by one.")),
+             Context::vertex, [&editor, at, label] { merge_at(editor, at, label); });
   };
   merge("mesh.merge_centre", "Merge at centre", "Make one vertex of the selected ones, between them.", "M",
         MergeAt::centre);
@@ -226,49 +238,36 @@ void add_merging(MeshMenu& menu, Editor& editor) {
   menu.add("mesh.merge_distance", merge_menu, "Merge by distance",
            "Merge selected vertices that are near each other.", "",
            needs_elements(editor, {.vertices = true, .edges = true, .faces = true}), any_element,
-           [&editor] { merge_near(editor); }, {});
+           [&editor] { merge_near(editor); });
   menu.add("mesh.collapse", merge_menu, "Collapse edges", "Shrink the selected edges to points.", "",
            needs_elements(editor, {.edges = true}), Context::edge,
-           [&editor] {
-             const auto edges = list_of(editor.selection.of_active().edges);
-             run_operation(
-                 editor, [&](const PolyhedronSource& source) { return collapse_edges(source, edges); },
-                 translatable("Collapse edges"));
-           },
-           {});
+           operation(editor, "Collapse edges", [](const PolyhedronSource& source, const ElementSet& set) {
+             return collapse_edges(source, list_of(set.edges));
+           }));
 }
 
 void add_tidying(MeshMenu& menu, Editor& editor) {
   menu.add("mesh.delete", "Edit", "Delete",
            "Delete the selected elements, or the object when none are selected.", "Del", needs_object(editor),
-           any_element | Context::object, [&editor] { delete_selection(editor); }, {});
+           any_element | Context::object, [&editor] { delete_selection(editor); });
   menu.next_group();
-  menu.add("mesh.dissolve", "Dissolve", "Take the selected elements away without leaving a hole.", "Ctrl+Del",
-           {.vertices = true, .edges = true, .faces = true}, any_element, [&editor] {
-             const ElementSet set = editor.selection.of_active();
-             const ElementKind kind = kind_at_hand(editor);
-             run_operation(
-                 editor, [&](const PolyhedronSource& source) { return dissolved(source, set, kind); },
-                 translatable("Dissolve"));
-           });
+  menu.add_operation("mesh.dissolve", "Dissolve", "Take the selected elements away without leaving a hole.",
+                     "Ctrl+Del", {.vertices = true, .edges = true, .faces = true}, any_element,
+                     [&editor](const PolyhedronSource& source, const ElementSet& set) {
+                       return dissolved(source, set, kind_at_hand(editor));
+                     });
   menu.add_operation("mesh.triangulate", "Triangulate", "Cut the selected faces into triangles.", "Ctrl+T",
                      {.faces = true}, Context::face,
                      [](const PolyhedronSource& source, const ElementSet& set) {
                        return triangulate_faces(source, list_of(set.faces));
                      });
-  menu.add("mesh.decompose", "Mesh", "Decompose concave faces",
-           "Cut concave faces into convex ones, of the selection or of the whole object.", "",
-           needs_polyhedron(editor), Context::face,
-           [&editor] {
-             const ElementSet set = editor.selection.of_active();
-             run_operation(
-                 editor,
-                 [&](const PolyhedronSource& source) {
-                   return decompose_concave_faces(source, faces_or_all(source, set));
-                 },
-                 translatable("Decompose concave faces"));
-           },
-           {});
+  menu.add(
+      "mesh.decompose", "Mesh", "Decompose concave faces",
+      "Cut concave faces into convex ones, of the selection or of the whole object.", "",
+      needs_polyhedron(editor), Context::face,
+      operation(editor, "Decompose concave faces", [](const PolyhedronSource& source, const ElementSet& set) {
+        return decompose_concave_faces(source, faces_or_all(source, set));
+      }));
   menu.next_group();
   add_merging(menu, editor);
 }
@@ -284,17 +283,11 @@ void add_connecting(MeshMenu& menu, Editor& editor) {
                      [](const PolyhedronSource& source, const ElementSet& set) {
                        return fill_holes(source, list_of(to_edges(source.polyhedron, set).edges));
                      });
-  menu.add(
-      "mesh.flip", "Mesh", "Flip", "Turn the selected parts, or the whole object, inside out.", "",
-      needs_polyhedron(editor), Context::face,
-      [&editor] {
-        const ElementSet set = editor.selection.of_active();
-        run_operation(
-            editor,
-            [&](const PolyhedronSource& source) { return flip_faces(source, faces_or_all(source, set)); },
-            translatable("Flip"));
-      },
-      {});
+  menu.add("mesh.flip", "Mesh", "Flip", "Turn the selected parts, or the whole object, inside out.", "",
+           needs_polyhedron(editor), Context::face,
+           operation(editor, "Flip", [](const PolyhedronSource& source, const ElementSet& set) {
+             return flip_faces(source, faces_or_all(source, set));
+           }));
   menu.next_group();
   menu.add_operation("mesh.duplicate_faces", "Duplicate faces",
                      "Copy the selected faces as a part of their own.", "Ctrl+Shift+D", {.faces = true},
@@ -315,21 +308,16 @@ void add_connecting(MeshMenu& menu, Editor& editor) {
              editor.selection.clear_elements();
              editor.selection.active = done->object;
            });
-  menu.add(
-      "mesh.join", "Mesh", "Join objects", "Make one object of those that are chosen.", "Ctrl+J",
-      [&editor]() -> Reason {
-        if (auto reason = needs_polyhedron(editor)()) return reason;
-        if (selected_objects(editor).size() > 1) return {};
-        return translatable("Choose two or more objects. Press 4 and click them with Shift.");
-      },
-      Context::object,
-      [&editor] {
-        std::vector<ObjectId> objects = selected_objects(editor);
-        const auto active = std::find(objects.begin(), objects.end(), editor.selection.active);
-        if (active != objects.end()) std::rotate(objects.begin(), active, active + 1);
-        editor.commit(join_objects(editor.history.current(), objects), translatable("Join objects"));
-      },
-      {});
+  menu.add("mesh.join", "Mesh", "Join objects", "Make one object of those that are chosen.", "Ctrl+J",
+           only_if(
+               needs_polyhedron(editor), [&editor] { return selected_objects(editor).size() > 1; },
+               translatable("Choose two or more objects. Press 4 and click them with Shift.")),
+           Context::object, [&editor] {
+             std::vector<ObjectId> objects = selected_objects(editor);
+             const auto active = std::find(objects.begin(), objects.end(), editor.selection.active);
+             if (active != objects.end()) std::rotate(objects.begin(), active, active + 1);
+             editor.commit(join_objects(editor.history.current(), objects), translatable("Join objects"));
+           });
 }
 
 void add_mirrors(MeshMenu& menu, Editor& editor) {
@@ -347,28 +335,20 @@ void add_mirrors(MeshMenu& menu, Editor& editor) {
   live("mirror.live_x", "Live mirror X", Axis::x);
   live("mirror.live_y", "Live mirror Y", Axis::y);
   live("mirror.live_z", "Live mirror Z", Axis::z);
-  menu.add(
-      "mirror.apply", mirror_menu, "Apply live mirror", "Make both halves the object's own.", "",
-      [&editor]() -> Reason {
-        if (auto reason = needs_polyhedron(editor)()) return reason;
-        if (editor.active_object()->polyhedron()->mirror) return {};
-        return translatable("The object has no live mirror.");
-      },
-      Context::none, [&editor] { run_operation(editor, apply_mirror, translatable("Apply live mirror")); },
-      {});
+  menu.add("mirror.apply", mirror_menu, "Apply live mirror", "Make both halves the object's own.", "",
+           only_if(
+               needs_polyhedron(editor),
+               [&editor] { return editor.active_object()->polyhedron()->mirror.has_value(); },
+               translatable("The object has no live mirror.")),
+           Context::none,
+           [&editor] { run_operation(editor, apply_mirror, translatable("Apply live mirror")); });
   menu.next_group();
   const auto flip = [&](const char* id, const char* label, Axis axis) {
     menu.add(id, mirror_menu, label, "Turn the object into its mirror image.", "", needs_polyhedron(editor),
              Context::none,
-             [&editor, axis, label] {
-               run_operation(
-                   editor,
-                   [axis](const PolyhedronSource& source) -> Result<EditResult> {
-                     return mirror_object(source, axis);
-                   },
-                   label);
-             },
-             {});
+             operation(editor, label, [axis](const PolyhedronSource& source, const ElementSet&) {
+               return mirror_object(source, axis);
+             }));
   };
   flip("mirror.object_x", "Mirror object X", Axis::x);
   flip("mirror.object_y", "Mirror object Y", Axis::y);

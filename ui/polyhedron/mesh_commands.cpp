@@ -138,173 +138,148 @@ void bevel_selected_vertices(CommandHost& host) {
   start(host, std::move(operation));
 }
 
+void connect_selected(Editor& editor) {
+  const ElementSet& set = editor.selection.of_active();
+  const auto vertices = list_of(set.vertices);
+  const auto edges = list_of(set.edges);
+  run_refinement(
+      editor,
+      [&](const auto& source, const SurfaceForm* on) { return connect_points(source, vertices, edges, on); },
+      translatable("Connect"));
+}
+
+void subdivide_selected(Editor& editor) {
+  const ElementSet& set = editor.selection.of_active();
+  const auto faces = list_of(set.faces);
+  const auto edges = list_of(set.edges);
+  run_refinement(
+      editor,
+      [&](const auto& source, const SurfaceForm* on) {
+        return faces.empty() ? subdivide_edges(source, edges, 1, on) : subdivide_faces(source, faces, on);
+      },
+      faces.empty() ? translatable("Subdivide edges") : translatable("Subdivide faces"));
+}
+
+void poke_selected(Editor& editor) {
+  const auto faces = list_of(editor.selection.of_active().faces);
+  run_refinement(
+      editor, [&](const auto& source, const SurfaceForm* on) { return poke_faces(source, faces, on); },
+      translatable("Poke faces"));
+}
+
 void add_dragged(CommandHost& host) {
   CommandTable& table = host.table;
   const Editor& editor = host.editor;
-  table.add({"mesh.extrude",
-             "Mesh",
-             "Extrude",
-             "Move the selected faces out and put walls round them, or continue the selected open edges.",
-             "E",
-             icon::extrude,
-             true,
-             false,
-             [&host] { extrude(host, Grouping::region); },
-             needs_elements(editor, {.edges = true, .faces = true}),
-             {},
-             Context::face | Context::edge});
-  table.add({"mesh.extrude_each",
-             "Mesh",
-             "Extrude each face",
-             "Move every selected face out by itself, along its own normal.",
-             "Shift+E",
-             "",
-             true,
-             false,
-             [&host] { extrude(host, Grouping::individual); },
-             needs_elements(editor, {.faces = true}),
-             {},
-             Context::face});
-  table.add({"mesh.inset",
-             "Mesh",
-             "Inset",
-             "Put a band of even width inside the rim of the selected faces.",
-             "I",
-             icon::inset,
-             true,
-             false,
-             [&host] { inset(host); },
-             needs_elements(editor, {.faces = true}),
-             {},
-             Context::face});
-  table.add({"mesh.bevel_edges",
-             "Mesh",
-             "Bevel edges",
-             "Turn the selected edges into flat bands.",
-             "Ctrl+B",
-             icon::bevel,
-             true,
-             false,
-             [&host] { bevel_selected_edges(host); },
-             needs_elements(editor, {.edges = true}),
-             {},
-             Context::edge});
-  table.add({"mesh.bevel_vertices",
-             "Mesh",
-             "Bevel vertices",
-             "Cut the selected corners off.",
-             "Ctrl+Shift+B",
-             icon::bevel,
-             true,
-             false,
-             [&host] { bevel_selected_vertices(host); },
-             needs_elements(editor, {.vertices = true}),
-             {},
-             Context::vertex});
+  table.add(
+      {.id = "mesh.extrude",
+       .menu = "Mesh",
+       .label = "Extrude",
+       .help = "Move the selected faces out and put walls round them, or continue the selected open edges.",
+       .keys = "E",
+       .icon = icon::extrude,
+       .changes_document = true,
+       .run = [&host] { extrude(host, Grouping::region); },
+       .why_not = needs_elements(editor, {.edges = true, .faces = true}),
+       .contexts = Context::face | Context::edge});
+  table.add({.id = "mesh.extrude_each",
+             .menu = "Mesh",
+             .label = "Extrude each face",
+             .help = "Move every selected face out by itself, along its own normal.",
+             .keys = "Shift+E",
+             .changes_document = true,
+             .run = [&host] { extrude(host, Grouping::individual); },
+             .why_not = needs_elements(editor, {.faces = true}),
+             .contexts = Context::face});
+  table.add({.id = "mesh.inset",
+             .menu = "Mesh",
+             .label = "Inset",
+             .help = "Put a band of even width inside the rim of the selected faces.",
+             .keys = "I",
+             .icon = icon::inset,
+             .changes_document = true,
+             .run = [&host] { inset(host); },
+             .why_not = needs_elements(editor, {.faces = true}),
+             .contexts = Context::face});
+  table.add({.id = "mesh.bevel_edges",
+             .menu = "Mesh",
+             .label = "Bevel edges",
+             .help = "Turn the selected edges into flat bands.",
+             .keys = "Ctrl+B",
+             .icon = icon::bevel,
+             .changes_document = true,
+             .run = [&host] { bevel_selected_edges(host); },
+             .why_not = needs_elements(editor, {.edges = true}),
+             .contexts = Context::edge});
+  table.add({.id = "mesh.bevel_vertices",
+             .menu = "Mesh",
+             .label = "Bevel vertices",
+             .help = "Cut the selected corners off.",
+             .keys = "Ctrl+Shift+B",
+             .icon = icon::bevel,
+             .changes_document = true,
+             .run = [&host] { bevel_selected_vertices(host); },
+             .why_not = needs_elements(editor, {.vertices = true}),
+             .contexts = Context::vertex});
 }
 
 void add_cuts(CommandHost& host) {
   CommandTable& table = host.table;
   Editor& editor = host.editor;
-  table.add({"mesh.loop_cut",
-             "Mesh",
-             "Loop cut",
-             "Cut a ring of four-sided faces from edge to edge.",
-             "Ctrl+R",
-             icon::loop_cut,
-             true,
-             true,
-             [&host] { host.viewport.start_modal(make_loop_cut_tool()); },
-             needs_polyhedron(editor),
-             {},
-             Context::edge});
-  table.add({"mesh.knife",
-             "Mesh",
-             "Knife",
-             "Cut faces from point to point along a path.",
-             "K",
-             icon::knife,
-             true,
-             false,
-             [&host] { host.viewport.start_modal(make_knife_tool()); },
-             needs_polyhedron(editor),
-             {},
-             any_element});
-  table.add({"mesh.connect",
-             "Mesh",
-             "Connect",
-             "Split faces between the selected vertices, and between the middles of the selected edges.",
-             "J",
-             "",
-             true,
-             false,
-             [&editor] {
-               const ElementSet& set = editor.selection.of_active();
-               const auto vertices = list_of(set.vertices);
-               const auto edges = list_of(set.edges);
-               run_refinement(
-                   editor,
-                   [&](const auto& source, const SurfaceForm* on) {
-                     return connect_points(source, vertices, edges, on);
-                   },
-                   translatable("Connect"));
-             },
-             needs_elements(editor, {.vertices = true, .edges = true}),
-             {},
-             Context::vertex | Context::edge});
-  table.add({"mesh.subdivide",
-             "Mesh",
-             "Subdivide",
-             "Divide the selected faces into quads, or put a vertex on the middle of the selected edges.",
-             "",
-             "",
-             true,
-             true,
-             [&editor] {
-               const ElementSet& set = editor.selection.of_active();
-               const auto faces = list_of(set.faces);
-               const auto edges = list_of(set.edges);
-               run_refinement(
-                   editor,
-                   [&](const auto& source, const SurfaceForm* on) {
-                     return faces.empty() ? subdivide_edges(source, edges, 1, on)
-                                          : subdivide_faces(source, faces, on);
-                   },
-                   faces.empty() ? translatable("Subdivide edges") : translatable("Subdivide faces"));
-             },
-             needs_elements(editor, {.edges = true, .faces = true}),
-             {},
-             Context::edge | Context::face});
-  table.add({"mesh.poke",
-             "Mesh",
-             "Poke faces",
-             "Put a vertex into the middle of each selected face, with triangles round it.",
-             "",
-             "",
-             true,
-             false,
-             [&editor] {
-               const auto faces = list_of(editor.selection.of_active().faces);
-               run_refinement(
-                   editor,
-                   [&](const auto& source, const SurfaceForm* on) { return poke_faces(source, faces, on); },
-                   translatable("Poke faces"));
-             },
-             needs_elements(editor, {.faces = true}),
-             {},
-             Context::face});
+  table.add({.id = "mesh.loop_cut",
+             .menu = "Mesh",
+             .label = "Loop cut",
+             .help = "Cut a ring of four-sided faces from edge to edge.",
+             .keys = "Ctrl+R",
+             .icon = icon::loop_cut,
+             .changes_document = true,
+             .separator_before = true,
+             .run = [&host] { host.viewport.start_modal(make_loop_cut_tool()); },
+             .why_not = needs_polyhedron(editor),
+             .contexts = Context::edge});
+  table.add({.id = "mesh.knife",
+             .menu = "Mesh",
+             .label = "Knife",
+             .help = "Cut faces from point to point along a path.",
+             .keys = "K",
+             .icon = icon::knife,
+             .changes_document = true,
+             .run = [&host] { host.viewport.start_modal(make_knife_tool()); },
+             .why_not = needs_polyhedron(editor),
+             .contexts = any_element});
   table.add(
-      {"mesh.on_surface",
-       "Mesh",
-       "Refine on the surface",
-       "Cuts and subdivisions put new points on the surface, which keeps its form; off: on straight edges.",
-       "",
-       "",
-       false,
-       false,
-       [&editor] { editor.settings.refine_on_surface = !editor.settings.refine_on_surface; },
-       {},
-       [&editor] { return editor.settings.refine_on_surface; }});
+      {.id = "mesh.connect",
+       .menu = "Mesh",
+       .label = "Connect",
+       .help = "Split faces between the selected vertices, and between the middles of the selected edges.",
+       .keys = "J",
+       .changes_document = true,
+       .run = [&editor] { connect_selected(editor); },
+       .why_not = needs_elements(editor, {.vertices = true, .edges = true}),
+       .contexts = Context::vertex | Context::edge});
+  table.add(
+      {.id = "mesh.subdivide",
+       .menu = "Mesh",
+       .label = "Subdivide",
+       .help = "Divide the selected faces into quads, or put a vertex on the middle of the selected edges.",
+       .changes_document = true,
+       .separator_before = true,
+       .run = [&editor] { subdivide_selected(editor); },
+       .why_not = needs_elements(editor, {.edges = true, .faces = true}),
+       .contexts = Context::edge | Context::face});
+  table.add({.id = "mesh.poke",
+             .menu = "Mesh",
+             .label = "Poke faces",
+             .help = "Put a vertex into the middle of each selected face, with triangles round it.",
+             .changes_document = true,
+             .run = [&editor] { poke_selected(editor); },
+             .why_not = needs_elements(editor, {.faces = true}),
+             .contexts = Context::face});
+  table.add(switching({.id = "mesh.on_surface",
+                       .menu = "Mesh",
+                       .label = "Refine on the surface",
+                       .help = "Cuts and subdivisions put new points on the surface, which keeps its form; "
+                               "off: on straight edges."},
+                      editor.settings.refine_on_surface));
 }
 
 }  // namespace

@@ -33,6 +33,11 @@ std::vector<ObjectId> chosen(const Editor& editor) {
   return objects;
 }
 
+bool has_several_patches(const Editor& editor) {
+  const BezierSource* bezier = editor.active_object()->bezier();
+  return bezier && bezier->patches->size() > 1;
+}
+
 void weld(Editor& editor) {
   const auto done = weld_patch_objects(editor.history.current(), chosen(editor));
   if (!done) return editor.notify(done.error());
@@ -45,28 +50,32 @@ void weld(Editor& editor) {
 void add_patch_commands(CommandHost& host) {
   Editor& editor = host.editor;
   const WhyNot object = needs_object(editor);
-  host.table.add({"shape.weld_patches", "Shape", "Weld patches",
-                  "Make one surface of the chosen objects of patches: sides that are equal are joined.", "",
-                  "", true, true, [&editor] { weld(editor); },
-                  [&editor, object]() -> Reason {
-                    if (auto reason = object()) return reason;
-                    const Object& active = *editor.active_object();
-                    if (!active.patches() && !active.bezier())
-                      return translatable("The active object is not made of patches.");
-                    if (selected_objects(editor).size() > 1) return {};
-                    return translatable("Choose two or more objects. Press 4 and click them with Shift.");
-                  }});
   host.table.add(
-      {"shape.separate_patches", "Shape", "Separate patches",
-       "Each patch becomes an object; the control points of those of degree 3 by 3 without weights can then "
-       "be edited, and edges attached to their sides.",
-       "", "", true, false, [&editor] { separate(editor); },
-       [&editor, object]() -> Reason {
+      {.id = "shape.weld_patches",
+       .menu = "Shape",
+       .label = "Weld patches",
+       .help = "Make one surface of the chosen objects of patches: sides that are equal are joined.",
+       .changes_document = true,
+       .separator_before = true,
+       .run = [&editor] { weld(editor); },
+       .why_not = [&editor, object]() -> Reason {
          if (auto reason = object()) return reason;
-         const BezierSource* bezier = editor.active_object()->bezier();
-         if (bezier && bezier->patches->size() > 1) return {};
-         return translatable("The active object does not have several welded patches.");
+         const Object& active = *editor.active_object();
+         if (!active.patches() && !active.bezier())
+           return translatable("The active object is not made of patches.");
+         if (selected_objects(editor).size() > 1) return {};
+         return translatable("Choose two or more objects. Press 4 and click them with Shift.");
        }});
+  host.table.add({.id = "shape.separate_patches",
+                  .menu = "Shape",
+                  .label = "Separate patches",
+                  .help = "Each patch becomes an object; the control points of those of degree 3 by 3 "
+                          "without weights can then be edited, and edges attached to their sides.",
+                  .changes_document = true,
+                  .run = [&editor] { separate(editor); },
+                  .why_not = only_if(
+                      object, [&editor] { return has_several_patches(editor); },
+                      translatable("The active object does not have several welded patches."))});
 }
 
 }  // namespace hariko

@@ -62,6 +62,8 @@ struct CopiedTension {
   std::optional<double> alpha, beta;
 };
 
+constexpr CopiedTension neutral_tension{0, 1};
+
 Result<Document> with_tension(const Document& document, const Object& object,
                               const ElementSelection& elements, const CopiedTension& tension) {
   Result<Document> result = document;
@@ -72,62 +74,81 @@ Result<Document> with_tension(const Document& document, const Object& object,
   return result;
 }
 
+void give_tension(Editor& editor, const char* step, const CopiedTension& tension) {
+  edit_selected(editor, step, [&](const auto& document, const auto& object, const auto& elements) {
+    return with_tension(document, object, elements, tension);
+  });
+}
+
+CopiedTension tension_of_selection(const Editor& editor) {
+  CopiedTension copied;
+  const Object* object = editor.active_object();
+  if (!object || !object->polyhedron()) return copied;
+  const Shaping& shaping = *object->polyhedron()->shaping;
+  const ElementSelection& elements = editor.selection.of_active();
+  if (!elements.vertices.empty()) copied.alpha = shaping.alpha.get_or(*elements.vertices.begin(), 0);
+  if (!elements.edges.empty()) copied.beta = shaping.beta.get_or(*elements.edges.begin(), 1);
+  return copied;
+}
+
 void add_tensions(CommandHost& host) {
-  CommandTable& table = host.table;
   Editor& editor = host.editor;
   Viewport& viewport = host.viewport;
   const WhyNot selected = needs_shapeable(editor, {.vertices = true, .edges = true});
-  table.add({"shape.tension", "Shape", "Tension",
-             "Drag to the side: more or less tension of the selected vertices and edges.", "T", "", true,
-             false, [&viewport] { viewport.start_modal(std::make_unique<TensionTool>()); }, selected});
-  const auto preset = [&](const char* id, const std::string& menu, const char* label, const char* keys,
-                          const char* help, CopiedTension value) {
-    table.add({id, menu, label, help, keys, "", true, false,
-               [&editor, value, step = std::string(label)] {
-                 edit_selected(editor, step,
-                               [value](const auto& document, const auto& object, const auto& elements) {
-                                 return with_tension(document, object, elements, value);
-                               });
-               },
-               selected});
+  host.table.add({.id = "shape.tension",
+                  .menu = "Shape",
+                  .label = "Tension",
+                  .help = "Drag to the side: more or less tension of the selected vertices and edges.",
+                  .keys = "T",
+                  .changes_document = true,
+                  .run = [&viewport] { viewport.start_modal(std::make_unique<TensionTool>()); },
+                  .why_not = selected});
+  host.table.add({.id = "shape.reset_tension",
+                  .menu = "Shape",
+                  .label = "Reset tension",
+                  .help = "Set \u03b1 of the selection to 0 and \u03b2 to 1.",
+                  .keys = "Shift+T",
+                  .changes_document = true,
+                  .run = [&editor] { give_tension(editor, "Reset tension", neutral_tension); },
+                  .why_not = selected});
+  const auto preset = [&](const char* id, const char* label, const char* help, CopiedTension value) {
+    host.table.add({.id = id,
+                    .menu = submenu("Shape", translatable("Tension presets")),
+                    .label = label,
+                    .help = help,
+                    .changes_document = true,
+                    .run = [&editor, label, value] { give_tension(editor, label, value); },
+                    .why_not = selected});
   };
-  preset("shape.reset_tension", "Shape", "Reset tension", "Shift+T",
-         "Set \u03b1 of the selection to 0 and \u03b2 to 1.", {0, 1});
-  const std::string presets = submenu("Shape", translatable("Tension presets"));
-  preset("shape.preset_relaxed", presets, "Relaxed", "", "\u03b1 0, \u03b2 0.2: round.", {0, 0.2});
-  preset("shape.preset_neutral", presets, "Neutral", "", "\u03b1 0, \u03b2 1: the default.", {0, 1});
-  preset("shape.preset_soft", presets, "Soft", "", "\u03b1 1, \u03b2 2: a little tighter.", {1, 2});
-  preset("shape.preset_tight", presets, "Tight", "", "\u03b1 10, \u03b2 10: close to the polyhedron.",
-         {10, 10});
-  preset("shape.preset_point", presets, "Point", "", "\u03b1 100, \u03b2 100: almost sharp.", {100, 100});
+  preset("shape.preset_relaxed", "Relaxed", "\u03b1 0, \u03b2 0.2: round.", {0, 0.2});
+  preset("shape.preset_neutral", "Neutral", "\u03b1 0, \u03b2 1: the default.", neutral_tension);
+  preset("shape.preset_soft", "Soft", "\u03b1 1, \u03b2 2: a little tighter.", {1, 2});
+  preset("shape.preset_tight", "Tight", "\u03b1 10, \u03b2 10: close to the polyhedron.", {10, 10});
+  preset("shape.preset_point", "Point", "\u03b1 100, \u03b2 100: almost sharp.", {100, 100});
+}
 
-  auto copied = std::make_shared<CopiedTension>();
-  table.add({"shape.copy_tension", "Shape", "Copy tension",
-             "Remember the tension of the selected vertex or edge.", "Ctrl+Shift+C", "", false, false,
-             [&editor, copied] {
-               *copied = {};
-               const Object* object = editor.active_object();
-               if (!object || !object->polyhedron()) return;
-               const Shaping& shaping = *object->polyhedron()->shaping;
-               const ElementSelection& elements = editor.selection.of_active();
-               if (!elements.vertices.empty())
-                 copied->alpha = shaping.alpha.get_or(*elements.vertices.begin(), 0);
-               if (!elements.edges.empty()) copied->beta = shaping.beta.get_or(*elements.edges.begin(), 1);
-             },
-             needs_elements(editor, {.vertices = true, .edges = true})});
-  table.add({"shape.paste_tension", "Shape", "Paste tension",
-             "Give the selection the tension that was copied.", "Ctrl+Shift+V", "", true, false,
-             [&editor, copied] {
-               edit_selected(editor, "Paste tension",
-                             [copied](const auto& document, const auto& object, const auto& elements) {
-                               return with_tension(document, object, elements, *copied);
-                             });
-             },
-             [selected, copied]() -> Reason {
-               if (auto reason = selected()) return reason;
-               if (copied->alpha || copied->beta) return {};
-               return translatable("No tension was copied. Select a vertex or an edge and copy its tension.");
-             }});
+void add_copied_tension(CommandHost& host) {
+  Editor& editor = host.editor;
+  const auto copied = std::make_shared<CopiedTension>();
+  host.table.add({.id = "shape.copy_tension",
+                  .menu = "Shape",
+                  .label = "Copy tension",
+                  .help = "Remember the tension of the selected vertex or edge.",
+                  .keys = "Ctrl+Shift+C",
+                  .run = [&editor, copied] { *copied = tension_of_selection(editor); },
+                  .why_not = needs_elements(editor, {.vertices = true, .edges = true})});
+  host.table.add(
+      {.id = "shape.paste_tension",
+       .menu = "Shape",
+       .label = "Paste tension",
+       .help = "Give the selection the tension that was copied.",
+       .keys = "Ctrl+Shift+V",
+       .changes_document = true,
+       .run = [&editor, copied] { give_tension(editor, "Paste tension", *copied); },
+       .why_not = only_if(
+           needs_shapeable(editor, {.vertices = true, .edges = true}),
+           [copied] { return copied->alpha || copied->beta; },
+           translatable("No tension was copied. Select a vertex or an edge and copy its tension."))});
 }
 
 /// Visible polyhedra whose surfaces know frames.
@@ -151,105 +172,132 @@ void switch_frames(Editor& editor) {
   editor.commit(result, all ? "Surfaces by equal angles" : "Surfaces by measure");
 }
 
+bool any_framed(const Document& document) {
+  bool any = false;
+  for_framed(document, [&](const Object&, Frames) { any = true; });
+  return any;
+}
+
 void add_frames(CommandHost& host) {
   Editor& editor = host.editor;
   host.table.add(
-      {"shape.by_measure", "Shape", "Surfaces by measure",
-       "All visible surfaces follow the angles and lengths of their polyhedra, or equal angles again.", "",
-       "", true, false, [&editor] { switch_frames(editor); },
-       [&editor]() -> Reason {
-         if (auto reason = needs_document(editor)()) return reason;
-         bool any = false;
-         for_framed(editor.history.current(), [&](const Object&, Frames) { any = true; });
-         if (any) return {};
-         return translatable("No visible polyhedron has a surface of mode fair or target.");
-       }});
+      {.id = "shape.by_measure",
+       .menu = "Shape",
+       .label = "Surfaces by measure",
+       .help =
+           "All visible surfaces follow the angles and lengths of their polyhedra, or equal angles again.",
+       .changes_document = true,
+       .run = [&editor] { switch_frames(editor); },
+       .why_not = only_if(
+           needs_document(editor), [&editor] { return any_framed(editor.history.current()); },
+           translatable("No visible polyhedron has a surface of mode fair or target."))});
+}
+
+void switch_crease(Editor& editor) {
+  const bool all = all_selected(editor, [](const Shaping& shaping, const ElementSelection& elements) {
+    return std::all_of(elements.edges.begin(), elements.edges.end(),
+                       [&](const EdgeId& id) { return shaping.crease.contains(id); });
+  });
+  edit_selected(editor, all ? "Smooth edges" : "Crease edges",
+                [all](const auto& document, const auto& object, const auto& elements) {
+                  return set_crease(document, object.id, edges_of(elements), !all);
+                });
+}
+
+void switch_tag(Editor& editor, VertexTag tag, const char* step) {
+  const bool all = all_selected(editor, [&](const Shaping& shaping, const ElementSelection& elements) {
+    return std::all_of(elements.vertices.begin(), elements.vertices.end(), [&](VertexId vertex) {
+      return shaping.tag.get_or(vertex, VertexTag::automatic) == tag;
+    });
+  });
+  edit_selected(editor, all ? "Automatic vertices" : step,
+                [&](const auto& document, const auto& object, const auto& elements) {
+                  return set_vertex_tag(document, object.id, vertices_of(elements),
+                                        all ? VertexTag::automatic : tag);
+                });
+}
+
+Result<Document> with_fixed_tangents(const Document& document, const Object& object,
+                                     const ElementSelection& elements) {
+  const auto fixed =
+      edit_polyhedron(document, object.id, [&](const PolyhedronSource& source) -> Result<EditResult> {
+        auto frozen = freeze_tangents(source, vertices_of(elements));
+        if (!frozen) return frozen.error();
+        return EditResult{std::move(frozen).value(), {}};
+      });
+  if (!fixed) return fixed.error();
+  return fixed->document;
+}
+
+Result<Document> without_pins(const Document& document, const Object& object,
+                              const ElementSelection& elements) {
+  return clear_pins(document, object.id, vertices_of(elements));
+}
+
+bool any_pinned(const Editor& editor) {
+  for (const auto& [id, elements] : editor.selection.elements()) {
+    const Object* object = editor.document().find(id);
+    if (!object || !object->polyhedron()) continue;
+    const Shaping& shaping = *object->polyhedron()->shaping;
+    for (const VertexId vertex : elements.vertices)
+      if (shaping.pin.contains(vertex) || shaping.form.contains(vertex)) return true;
+  }
+  return false;
 }
 
 void add_tags(CommandHost& host) {
   CommandTable& table = host.table;
   Editor& editor = host.editor;
-  table.add({"shape.crease", "Shape", "Crease edges", "Make the selected edges sharp, or smooth again.", "C",
-             "", true, true,
-             [&editor] {
-               const bool all =
-                   all_selected(editor, [](const Shaping& shaping, const ElementSelection& elements) {
-                     return std::all_of(elements.edges.begin(), elements.edges.end(),
-                                        [&](const EdgeId& id) { return shaping.crease.contains(id); });
-                   });
-               edit_selected(editor, all ? "Smooth edges" : "Crease edges",
-                             [all](const auto& document, const auto& object, const auto& elements) {
-                               return set_crease(document, object.id, edges_of(elements), !all);
-                             });
-             },
-             needs_shapeable(editor, {.edges = true})});
+  const WhyNot vertices = needs_shapeable(editor, {.vertices = true});
+  table.add({.id = "shape.crease",
+             .menu = "Shape",
+             .label = "Crease edges",
+             .help = "Make the selected edges sharp, or smooth again.",
+             .keys = "C",
+             .changes_document = true,
+             .separator_before = true,
+             .run = [&editor] { switch_crease(editor); },
+             .why_not = needs_shapeable(editor, {.edges = true})});
   const auto tag = [&](const char* id, const char* label, const char* help, const char* keys,
                        VertexTag value) {
-    table.add({id, "Shape", label, help, keys, "", true, false,
-               [&editor, value, step = std::string(label)] {
-                 const bool all =
-                     all_selected(editor, [&](const Shaping& shaping, const ElementSelection& elements) {
-                       return std::all_of(elements.vertices.begin(), elements.vertices.end(),
-                                          [&](VertexId vertex) {
-                                            return shaping.tag.get_or(vertex, VertexTag::automatic) == value;
-                                          });
-                     });
-                 edit_selected(editor, all ? "Automatic vertices" : step,
-                               [&](const auto& document, const auto& object, const auto& elements) {
-                                 return set_vertex_tag(document, object.id, vertices_of(elements),
-                                                       all ? VertexTag::automatic : value);
-                               });
-               },
-               needs_shapeable(editor, {.vertices = true})});
+    table.add({.id = id,
+               .menu = "Shape",
+               .label = label,
+               .help = help,
+               .keys = keys,
+               .changes_document = true,
+               .run = [&editor, value, label] { switch_tag(editor, value, label); },
+               .why_not = vertices});
   };
   tag("shape.corner", "Corner vertices", "Tag the selected vertices as corners, or no longer.", "Shift+C",
       VertexTag::corner);
   tag("shape.smooth_ends", "Smooth ends",
       "Creases and borders run through the selected vertices smoothly, or no longer.", "Alt+Shift+C",
       VertexTag::smooth);
-  table.add({"shape.fix_tangents", "Shape", "Fix tangents",
-             "Pin the tangents of the selected vertices as they are now.", "", "", true, false,
-             [&editor] {
-               edit_selected(
-                   editor, "Fix tangents",
-                   [](const auto& document, const auto& object, const auto& elements) -> Result<Document> {
-                     const auto fixed = edit_polyhedron(
-                         document, object.id, [&](const PolyhedronSource& source) -> Result<EditResult> {
-                           auto frozen = freeze_tangents(source, vertices_of(elements));
-                           if (!frozen) return frozen.error();
-                           return EditResult{std::move(frozen).value(), {}};
-                         });
-                     if (!fixed) return fixed.error();
-                     return fixed->document;
-                   });
-             },
-             needs_shapeable(editor, {.vertices = true})});
-  table.add({"shape.release_pins", "Shape", "Release pins",
-             "Free the pinned tangents of the selected vertices.", "Shift+P", "", true, false,
-             [&editor] {
-               edit_selected(editor, "Release pins",
-                             [](const auto& document, const auto& object, const auto& elements) {
-                               return clear_pins(document, object.id, vertices_of(elements));
-                             });
-             },
-             [&editor]() -> Reason {
-               if (auto reason = needs_shapeable(editor, {.vertices = true})()) return reason;
-               for (const auto& [id, elements] : editor.selection.elements()) {
-                 const Object* object = editor.document().find(id);
-                 if (!object || !object->polyhedron()) continue;
-                 for (const VertexId vertex : elements.vertices)
-                   if (object->polyhedron()->shaping->pin.contains(vertex) ||
-                       object->polyhedron()->shaping->form.contains(vertex))
-                     return {};
-               }
-               return translatable("None of the selected vertices is pinned.");
-             }});
+  table.add({.id = "shape.fix_tangents",
+             .menu = "Shape",
+             .label = "Fix tangents",
+             .help = "Pin the tangents of the selected vertices as they are now.",
+             .changes_document = true,
+             .run = [&editor] { edit_selected(editor, "Fix tangents", with_fixed_tangents); },
+             .why_not = vertices});
+  table.add({.id = "shape.release_pins",
+             .menu = "Shape",
+             .label = "Release pins",
+             .help = "Free the pinned tangents of the selected vertices.",
+             .keys = "Shift+P",
+             .changes_document = true,
+             .run = [&editor] { edit_selected(editor, "Release pins", without_pins); },
+             .why_not = only_if(
+                 vertices, [&editor] { return any_pinned(editor); },
+                 translatable("None of the selected vertices is pinned."))});
 }
 
 }  // namespace
 
 void add_shape_commands(CommandHost& host) {
   add_tensions(host);
+  add_copied_tension(host);
   add_tags(host);
   add_frames(host);
 }

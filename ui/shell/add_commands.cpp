@@ -84,20 +84,15 @@ void add_patches(CommandHost& host) {
     if (!source) return source.error();
     return Source(std::move(source).value());
   };
-  host.table.add({"add.patches",
-                  "Add",
-                  "Bicubic patches",
-                  "A grid of bicubic patches, flat or arched, whose control points can be moved.",
-                  "",
-                  "",
-                  true,
-                  false,
-                  [&host, numbers, make] {
-                    add_primitive(host, "Bicubic patches", translatable("Add patches"), numbers, make);
-                  },
-                  {},
-                  {},
-                  Context::empty});
+  host.table.add(
+      {.id = "add.patches",
+       .menu = "Add",
+       .label = "Bicubic patches",
+       .help = "A grid of bicubic patches, flat or arched, whose control points can be moved.",
+       .changes_document = true,
+       .run = [&host, numbers,
+               make] { add_primitive(host, "Bicubic patches", translatable("Add patches"), numbers, make); },
+       .contexts = Context::empty});
 }
 
 void add_skin(CommandHost& host) {
@@ -109,19 +104,14 @@ void add_skin(CommandHost& host) {
   const MakeSource make = [](std::span<const OperationNumber> n) -> Result<Source> {
     return Source(SkinSource{arched_skin(n[0].value, n[1].value, n[2].value, count_of(n[3])), {}});
   };
-  host.table.add(
-      {"add.skin",
-       "Add",
-       "Skin",
-       "Two sections on a path, and a surface over them.",
-       "",
-       "",
-       true,
-       false,
-       [&host, numbers, make] { add_primitive(host, "Skin", translatable("Add skin"), numbers, make); },
-       {},
-       {},
-       Context::empty});
+  host.table.add({.id = "add.skin",
+                  .menu = "Add",
+                  .label = "Skin",
+                  .help = "Two sections on a path, and a surface over them.",
+                  .changes_document = true,
+                  .run = [&host, numbers,
+                          make] { add_primitive(host, "Skin", translatable("Add skin"), numbers, make); },
+                  .contexts = Context::empty});
 }
 
 void add_solids(const AddShape& add) {
@@ -225,20 +215,15 @@ void add_round(const AddShape& add) {
 void add_add_commands(CommandHost& host) {
   const auto add = [&host](const char* id, const std::string& menu, const char* label, const char* step,
                            const char* help, Numbers numbers, MakeMesh make) {
-    host.table.add({id,
-                    menu,
-                    label,
-                    help,
-                    "",
-                    "",
-                    true,
-                    false,
-                    [&host, label, step, numbers = std::move(numbers), make = std::move(make)] {
-                      add_primitive(host, label, step, numbers, from_mesh(make));
-                    },
-                    {},
-                    {},
-                    Context::empty});
+    host.table.add(
+        {.id = id,
+         .menu = menu,
+         .label = label,
+         .help = help,
+         .changes_document = true,
+         .run = [&host, label, step, numbers = std::move(numbers),
+                 make = std::move(make)] { add_primitive(host, label, step, numbers, from_mesh(make)); },
+         .contexts = Context::empty});
   };
   add_solids(add);
   add_round(add);

@@ -9,6 +9,7 @@
 #include "ui/editor/new_object.hpp"
 #include "ui/shell/shell_commands.hpp"
 #include "ui/shell/workbench.hpp"
+#include "ui/widgets/application_services.hpp"
 
 namespace hariko {
 
@@ -26,105 +27,203 @@ void open_box(Editor& editor) {
   editor.open(std::move(document), {});
 }
 
+bool any_visible(const Editor& editor) {
+  const auto& objects = editor.document().objects;
+  return std::any_of(objects.begin(), objects.end(), [](const auto& object) { return object->visible; });
+}
+
+bool any_visible_skin(const Editor& editor) {
+  const auto& objects = editor.document().objects;
+  return std::any_of(objects.begin(), objects.end(),
+                     [](const auto& object) { return object->visible && object->skin(); });
+}
+
+bool any_recovery(const Offers& offers) {
+  return offers.crash || !offers.recoveries.empty();
+}
+
+void add_opening(CommandTable& table, Editor& editor, Workbench& workbench) {
+  table.add({.id = "file.new",
+             .menu = "File",
+             .label = "New",
+             .help = "Begin an empty document.",
+             .keys = "Ctrl+N",
+             .icon = icon::file,
+             .run = [&workbench] { workbench.new_document(); }});
+  table.add({.id = "file.new_from_box",
+             .menu = "File",
+             .label = "New from box",
+             .help = "Begin a document with a box.",
+             .icon = icon::object,
+             .run = [&workbench, &editor] { workbench.guarded([&editor] { open_box(editor); }); }});
+  table.add({.id = "file.open",
+             .menu = "File",
+             .label = "Open\u2026",
+             .help = "Open a Hariko document or a mesh.",
+             .keys = "Ctrl+O",
+             .icon = icon::open,
+             .run = [&workbench] {
+               workbench.files().open([&workbench](const auto& path) { workbench.open_guarded(path); });
+             }});
+  table.add({.id = "file.recent",
+             .menu = "File",
+             .label = "Open recent\u2026",
+             .help = "Open a file that was used before.",
+             .keys = "Ctrl+Shift+O",
+             .run = [&workbench] { workbench.show_recent(); },
+             .why_not = only_if([&workbench] { return !workbench.offers().recent.empty(); },
+                                "No file was opened or saved yet.")});
+  table.add({.id = "file.samples",
+             .menu = "File",
+             .label = "Open a sample\u2026",
+             .help = "Open a model that came with Hariko, as a copy without a file.",
+             .run = [&workbench] { workbench.show_samples(); },
+             .why_not = only_if([&workbench] { return !workbench.samples().empty(); },
+                                "The samples are not installed.")});
+  table.add({.id = "file.recover",
+             .menu = "File",
+             .label = "Recover\u2026",
+             .help = "Open unsaved work of a session that ended without saving.",
+             .run = [&workbench] { workbench.show_recoveries(); },
+             .why_not = only_if([&workbench] { return any_recovery(workbench.offers()); },
+                                "There is no unsaved work of an earlier session.")});
+}
+
+void add_saving(CommandHost& host, Workbench& workbench) {
+  CommandTable& table = host.table;
+  Editor& editor = host.editor;
+  const WhyNot document = needs_document(editor);
+  table.add({.id = "file.save",
+             .menu = "File",
+             .label = "Save",
+             .help = "Save the document.",
+             .keys = "Ctrl+S",
+             .icon = icon::save,
+             .run = [&workbench] { workbench.save({}); },
+             .why_not = document});
+  table.add({.id = "file.save_as",
+             .menu = "File",
+             .label = "Save as\u2026",
+             .help = "Save the document under another name.",
+             .keys = "Ctrl+Shift+S",
+             .run = [&workbench] { workbench.files().save_as({}); },
+             .why_not = document});
+  table.add({.id = "file.save_copy",
+             .menu = "File",
+             .label = "Save a copy\u2026",
+             .help = "Save under another name and go on with this file.",
+             .keys = "Ctrl+Alt+S",
+             .run = [&workbench] { workbench.files().save_copy(); },
+             .why_not = document});
+  table.add({.id = "file.revert",
+             .menu = "File",
+             .label = "Revert to the file",
+             .help = "Bring back what the file holds. Undo takes it back.",
+             .changes_document = true,
+             .run = [&host] { host.application.revert(); },
+             .why_not = only_if([&editor] { return editor.has_document && editor.path.has_value(); },
+                                "The document was never saved.")});
+}
+
+Reason no_cad_files(const Editor& editor) {
+  if (const auto missing = why_no_cad_files())
+    return editor.language.text_of(*missing) + " " + editor.language.remedy_of(*missing);
+  return {};
+}
+
+void add_exports(CommandTable& table, Editor& editor, Workbench& workbench) {
+  const WhyNot document = needs_document(editor);
+  table.add({.id = "file.export",
+             .menu = "File",
+             .label = "Export\u2026",
+             .help = "Write the surfaces as triangles.",
+             .keys = "Ctrl+E",
+             .icon = icon::export_file,
+             .run = [&workbench] { workbench.files().export_triangles(); },
+             .why_not = document});
+  table.add(
+      {.id = "file.export_cad",
+       .menu = "File",
+       .label = "Export for CAD\u2026",
+       .help =
+           "Write the surfaces as STEP or IGES: splines with common edges, and solids where they are closed.",
+       .run = [&workbench] { workbench.files().export_cad(); },
+       .why_not =
+           [&editor, document] {
+             auto reason = document();
+             return reason ? reason : no_cad_files(editor);
+           }});
+  table.add(
+      {.id = "file.export_control",
+       .menu = "File",
+       .label = "Export control meshes\u2026",
+       .help =
+           "Write the control meshes of skins, with their creases, for programs that subdivide themselves.",
+       .run = [&workbench] { workbench.files().export_control(); },
+       .why_not = only_if(
+           document, [&editor] { return any_visible_skin(editor); },
+           "No skin is visible. Only skins have control meshes.")});
+}
+
+void add_pictures(CommandTable& table, Editor& editor, Workbench& workbench) {
+  const WhyNot something_shown = only_if(
+      needs_document(editor), [&editor] { return any_visible(editor); },
+      "No object is visible. Show one or add one.");
+  table.add({.id = "file.export_picture",
+             .menu = "File",
+             .label = "Export picture\u2026",
+             .help = "Write what the active view shows as a PNG picture, or its lines as SVG.",
+             .separator_before = true,
+             .run = [&workbench] { workbench.files().picture(false); },
+             .why_not = something_shown});
+  table.add({.id = "file.export_turntable",
+             .menu = "File",
+             .label = "Export turntable\u2026",
+             .help = "Write a series of pictures that goes once round the model.",
+             .run = [&workbench] { workbench.files().picture(true); },
+             .why_not = something_shown});
+}
+
 }  // namespace
 
 void add_file_commands(CommandHost& host, Workbench& workbench) {
   CommandTable& table = host.table;
   Editor& editor = host.editor;
-  const WhyNot document = needs_document(editor);
-  table.add({"file.new", "File", "New", "Begin an empty document.", "Ctrl+N", icon::file, false, false,
-             [&workbench] { workbench.new_document(); }});
-  table.add({"file.new_from_box", "File", "New from box", "Begin a document with a box.", "", icon::object,
-             false, false, [&workbench, &editor] { workbench.guarded([&editor] { open_box(editor); }); }});
-  table.add({"file.open", "File", "Open\u2026", "Open a Hariko document or a mesh.", "Ctrl+O", icon::open,
-             false, false, [&workbench] {
-               workbench.files().open([&workbench](const auto& path) { workbench.open_guarded(path); });
-             }});
-  table.add({"file.recent", "File", "Open recent\u2026", "Open a file that was used before.", "Ctrl+Shift+O",
-             "", false, false, [&workbench] { workbench.show_recent(); },
-             [&workbench]() -> Reason {
-               if (!workbench.offers().recent.empty()) return {};
-               return "No file was opened or saved yet.";
-             }});
-  table.add({"file.samples", "File", "Open a sample\u2026",
-             "Open a model that came with Hariko, as a copy without a file.", "", "", false, false,
-             [&workbench] { workbench.show_samples(); },
-             [&workbench]() -> Reason {
-               if (!workbench.samples().empty()) return {};
-               return "The samples are not installed.";
-             }});
-  table.add({"file.recover", "File", "Recover\u2026",
-             "Open unsaved work of a session that ended without saving.", "", "", false, false,
-             [&workbench] { workbench.show_recoveries(); },
-             [&workbench]() -> Reason {
-               const Offers& offers = workbench.offers();
-               if (offers.crash || !offers.recoveries.empty()) return {};
-               return "There is no unsaved work of an earlier session.";
-             }});
-  table.add({"file.save", "File", "Save", "Save the document.", "Ctrl+S", icon::save, false, false,
-             [&workbench] { workbench.save({}); }, document});
-  table.add({"file.save_as", "File", "Save as\u2026", "Save the document under another name.", "Ctrl+Shift+S",
-             "", false, false, [&workbench] { workbench.files().save_as({}); }, document});
-  table.add({"file.save_copy", "File", "Save a copy\u2026",
-             "Save under another name and go on with this file.", "Ctrl+Alt+S", "", false, false,
-             [&workbench] { workbench.files().save_copy(); }, document});
-  table.add({"file.revert", "File", "Revert to the file",
-             "Bring back what the file holds. Undo takes it back.", "", "", true, false,
-             [&host] { host.application.revert(); },
-             [&editor]() -> Reason {
-               if (!editor.has_document || !editor.path) return "The document was never saved.";
-               return {};
-             }});
-  table.add({"file.import", "File", "Import\u2026", "Add the polyhedron of a mesh file to the document.",
-             "Ctrl+I", icon::import_file, true, true, [&workbench] { workbench.files().import(); }});
+  add_opening(table, editor, workbench);
+  add_saving(host, workbench);
+  table.add({.id = "file.import",
+             .menu = "File",
+             .label = "Import\u2026",
+             .help = "Add the polyhedron of a mesh file to the document.",
+             .keys = "Ctrl+I",
+             .icon = icon::import_file,
+             .changes_document = true,
+             .separator_before = true,
+             .run = [&workbench] { workbench.files().import(); }});
   add_picture_commands(host);
-  table.add({"file.export", "File", "Export\u2026", "Write the surfaces as triangles.", "Ctrl+E",
-             icon::export_file, false, false, [&workbench] { workbench.files().export_triangles(); },
-             document});
-  table.add(
-      {"file.export_cad", "File", "Export for CAD\u2026",
-       "Write the surfaces as STEP or IGES: splines with common edges, and solids where they are closed.", "",
-       "", false, false, [&workbench] { workbench.files().export_cad(); },
-       [document, &editor]() -> Reason {
-         if (auto reason = document()) return reason;
-         if (const auto missing = why_no_cad_files())
-           return editor.language.text_of(*missing) + " " + editor.language.remedy_of(*missing);
-         return {};
-       }});
-  table.add({"file.export_control", "File", "Export control meshes\u2026",
-             "Write the control meshes of skins, with their creases, for programs that subdivide themselves.",
-             "", "", false, false, [&workbench] { workbench.files().export_control(); },
-             [&editor, document]() -> Reason {
-               if (auto reason = document()) return reason;
-               const auto& objects = editor.document().objects;
-               const auto skin = [](const auto& object) { return object->visible && object->skin(); };
-               if (std::any_of(objects.begin(), objects.end(), skin)) return {};
-               return "No skin is visible. Only skins have control meshes.";
-             }});
-  const WhyNot something_shown = [&editor, document]() -> Reason {
-    if (auto reason = document()) return reason;
-    const auto& objects = editor.document().objects;
-    if (std::any_of(objects.begin(), objects.end(), [](const auto& object) { return object->visible; }))
-      return {};
-    return "No object is visible. Show one or add one.";
-  };
-  table.add({"file.export_picture", "File", "Export picture\u2026",
-             "Write what the active view shows as a PNG picture, or its lines as SVG.", "", "", false, true,
-             [&workbench] { workbench.files().picture(false); }, something_shown});
-  table.add({"file.export_turntable", "File", "Export turntable\u2026",
-             "Write a series of pictures that goes once round the model.", "", "", false, false,
-             [&workbench] { workbench.files().picture(true); }, something_shown});
-  table.add({"file.cancel_job", "File", "Cancel work on files",
-             "Stop the import, export or picture in progress; files stay as they were.", "", "", false, false,
-             [&editor] { editor.cancellable_job()->cancel.cancel(); },
-             [&editor]() -> Reason {
-               if (editor.cancellable_job()) return {};
-               return "Nothing that can be cancelled is in progress.";
-             }});
-  table.add({"file.close", "File", "Close", "Close the document and go to the start page.", "Ctrl+W", "",
-             false, true, [&workbench] { workbench.close_document(); }, document});
-  table.add({"file.quit", "File", "Quit", "Leave Hariko.", "Ctrl+Q", "", false, false,
-             [&workbench] { workbench.quit(); }});
+  add_exports(table, editor, workbench);
+  add_pictures(table, editor, workbench);
+  table.add({.id = "file.cancel_job",
+             .menu = "File",
+             .label = "Cancel work on files",
+             .help = "Stop the import, export or picture in progress; files stay as they were.",
+             .run = [&editor] { editor.cancellable_job()->cancel.cancel(); },
+             .why_not = only_if([&editor] { return editor.cancellable_job() != nullptr; },
+                                "Nothing that can be cancelled is in progress.")});
+  table.add({.id = "file.close",
+             .menu = "File",
+             .label = "Close",
+             .help = "Close the document and go to the start page.",
+             .keys = "Ctrl+W",
+             .separator_before = true,
+             .run = [&workbench] { workbench.close_document(); },
+             .why_not = needs_document(editor)});
+  table.add({.id = "file.quit",
+             .menu = "File",
+             .label = "Quit",
+             .help = "Leave Hariko.",
+             .keys = "Ctrl+Q",
+             .run = [&workbench] { workbench.quit(); }});
 }
 
 }  // namespace hariko

@@ -6,6 +6,7 @@
 #include "ui/base/system_information.hpp"
 #include "ui/shell/shell_commands.hpp"
 #include "ui/shell/workbench.hpp"
+#include "ui/widgets/application_services.hpp"
 
 namespace hariko {
 
@@ -30,54 +31,95 @@ void show_about(Workbench& workbench, const Language& tr) {
   workbench.ask(std::move(request));
 }
 
+void add_recording(CommandHost& host, Workbench& workbench) {
+  CommandTable& table = host.table;
+  Editor& editor = host.editor;
+  table.add({.id = "help.record",
+             .menu = translatable("Help"),
+             .label = translatable("Record a replay\u2026"),
+             .help = translatable("Write what you do from here on to a file that plays it again."),
+             .separator_before = true,
+             .while_tool_runs = true,
+             .run = [&workbench] { workbench.files().record(); },
+             .why_not = only_if(
+                 needs_document(editor), [&editor] { return !editor.recording; },
+                 translatable("A replay is being recorded already."))});
+  table.add({.id = "help.stop_recording",
+             .menu = translatable("Help"),
+             .label = translatable("Stop recording"),
+             .help = translatable("End the replay that is being recorded."),
+             .while_tool_runs = true,
+             .run = [&host] { host.application.stop_recording(); },
+             .why_not = only_if([&editor] { return editor.recording; },
+                                translatable("No replay is being recorded."))});
+}
+
 }  // namespace
 
 void add_help_commands(CommandHost& host, Workbench& workbench) {
   CommandTable& table = host.table;
   Editor& editor = host.editor;
-  table.add({"help.palette", translatable("Help"), translatable("Search commands\u2026"),
-             translatable("Find any command or object by a few letters of its name."), "F3 / Ctrl+Shift+P",
-             icon::search, false, false, [&workbench] { workbench.show_palette(); }});
-  table.add({"help.keys", translatable("Help"), translatable("Keys at a glance"),
-             translatable("Show every key, those of the present tool first."), "F1 / ?", icon::keyboard,
-             false, false, [&workbench] { workbench.show_cheat_sheet(); }});
-  table.add({"help.context_menu", translatable("Help"), translatable("Menu at the pointer"),
-             translatable("What can be done with what is under the pointer."), "Menu / Shift+F10", "", false,
-             false, [&workbench] { workbench.show_context_menu(); }, needs_document(editor)});
-  table.add({"help.record", translatable("Help"), translatable("Record a replay\u2026"),
-             translatable("Write what you do from here on to a file that plays it again."), "", "", false,
-             true, [&workbench] { workbench.files().record(); },
-             [&editor, document = needs_document(editor)]() -> Reason {
-               if (auto reason = document()) return reason;
-               if (editor.recording) return translatable("A replay is being recorded already.");
-               return {};
-             }});
-  table.add({"help.stop_recording", translatable("Help"), translatable("Stop recording"),
-             translatable("End the replay that is being recorded."), "", "", false, false,
-             [&host] { host.application.stop_recording(); },
-             [&editor]() -> Reason {
-               if (editor.recording) return {};
-               return translatable("No replay is being recorded.");
-             }});
-  table.add({"help.log", translatable("Help"), translatable("Open the log folder"),
-             translatable("Show the files that a report about a mistake of the program needs."), "", "",
-             false, false, [&host] { host.application.show_log_folder(); }});
-  table.add({"help.about", translatable("Help"), translatable("About Hariko"),
-             translatable("Version, graphics driver and licences."), "", icon::info, false, true,
-             [&workbench, &editor] { show_about(workbench, editor.language); }});
+  table.add({.id = "help.palette",
+             .menu = translatable("Help"),
+             .label = translatable("Search commands\u2026"),
+             .help = translatable("Find any command or object by a few letters of its name."),
+             .keys = "F3 / Ctrl+Shift+P",
+             .icon = icon::search,
+             .while_tool_runs = true,
+             .run = [&workbench] { workbench.show_palette(); }});
+  table.add({.id = "help.keys",
+             .menu = translatable("Help"),
+             .label = translatable("Keys at a glance"),
+             .help = translatable("Show every key, those of the present tool first."),
+             .keys = "F1 / ?",
+             .icon = icon::keyboard,
+             .while_tool_runs = true,
+             .run = [&workbench] { workbench.show_cheat_sheet(); }});
+  table.add({.id = "help.context_menu",
+             .menu = translatable("Help"),
+             .label = translatable("Menu at the pointer"),
+             .help = translatable("What can be done with what is under the pointer."),
+             .keys = "Menu / Shift+F10",
+             .while_tool_runs = true,
+             .run = [&workbench] { workbench.show_context_menu(); },
+             .why_not = needs_document(editor)});
+  add_recording(host, workbench);
+  table.add({.id = "help.log",
+             .menu = translatable("Help"),
+             .label = translatable("Open the log folder"),
+             .help = translatable("Show the files that a report about a mistake of the program needs."),
+             .while_tool_runs = true,
+             .run = [&host] { host.application.show_log_folder(); }});
+  table.add({.id = "help.about",
+             .menu = translatable("Help"),
+             .label = translatable("About Hariko"),
+             .help = translatable("Version, graphics driver and licences."),
+             .icon = icon::info,
+             .separator_before = true,
+             .while_tool_runs = true,
+             .run = [&workbench, &editor] { show_about(workbench, editor.language); }});
 }
 
 void add_preferences_commands(CommandHost& host, Workbench& workbench) {
   CommandTable& table = host.table;
-  table.add({"edit.preferences", translatable("Edit"), translatable("Preferences\u2026"),
-             translatable("Language, theme, navigation, units, keys."), "Ctrl+,", icon::settings, false, true,
-             [&workbench] { workbench.show_preferences(); }});
-  table.add({"edit.export_keys", "Edit", translatable("Export keys\u2026"),
-             translatable("Write the keys that are not the default ones to a file."), "", "", false, false,
-             [&workbench] { workbench.files().export_keys(); }});
-  table.add({"edit.import_keys", "Edit", translatable("Import keys\u2026"),
-             translatable("Take the keys of a file in place of those that are in use."), "", "", false, false,
-             [&workbench] { workbench.files().import_keys(); }});
+  table.add({.id = "edit.preferences",
+             .menu = translatable("Edit"),
+             .label = translatable("Preferences\u2026"),
+             .help = translatable("Language, theme, navigation, units, keys."),
+             .keys = "Ctrl+,",
+             .icon = icon::settings,
+             .separator_before = true,
+             .run = [&workbench] { workbench.show_preferences(); }});
+  table.add({.id = "edit.export_keys",
+             .menu = "Edit",
+             .label = translatable("Export keys\u2026"),
+             .help = translatable("Write the keys that are not the default ones to a file."),
+             .run = [&workbench] { workbench.files().export_keys(); }});
+  table.add({.id = "edit.import_keys",
+             .menu = "Edit",
+             .label = translatable("Import keys\u2026"),
+             .help = translatable("Take the keys of a file in place of those that are in use."),
+             .run = [&workbench] { workbench.files().import_keys(); }});
 }
 
 }  // namespace hariko

@@ -52,6 +52,47 @@ void isolate(Editor& editor) {
   editor.commit(result, counted_step("Isolate object", "Isolate {0} objects", ids.size()));
 }
 
+void hide_chosen(Editor& editor) {
+  const auto ids = chosen_ids(editor);
+  edit_each(editor, ids, counted_step("Hide object", "Hide {0} objects", ids.size()),
+            [](const Document& document, ObjectId id) { return set_visible(document, id, false); });
+}
+
+bool any_hidden(const Editor& editor) {
+  const auto& objects = editor.document().objects;
+  return std::any_of(objects.begin(), objects.end(), [](const auto& object) { return !object->visible; });
+}
+
+void show_hidden(Editor& editor) {
+  std::vector<ObjectId> hidden;
+  for (const auto& object : editor.history.current().objects)
+    if (!object->visible) hidden.push_back(object->id);
+  edit_each(editor, hidden, "Show all objects",
+            [](const Document& document, ObjectId id) { return set_visible(document, id, true); });
+}
+
+/// Unlocks where the active object is locked.
+void lock_chosen(Editor& editor) {
+  const auto ids = chosen_ids(editor);
+  const bool lock = !editor.active_object()->locked;
+  edit_each(editor, ids,
+            lock ? counted_step("Lock object", "Lock {0} objects", ids.size())
+                 : counted_step("Unlock object", "Unlock {0} objects", ids.size()),
+            [lock](const Document& document, ObjectId id) { return set_locked(document, id, lock); });
+}
+
+void delete_chosen(Editor& editor) {
+  const auto ids = chosen_ids(editor);
+  const std::size_t attached = attached_to(editor.history.current(), ids);
+  if (!editor.commit(delete_objects(editor.history.current(), ids),
+                     counted_step("Delete object", "Delete {0} objects", ids.size())))
+    return;
+  if (attached > 0)
+    editor.notify(Notice::Kind::info,
+                  fill(editor.language("Attached edges that keep a copy of their side: {0}"),
+                       {std::to_string(attached)}));
+}
+
 /// All chosen objects one place up or down.
 void move_in_order(Editor& editor, bool down) {
   const auto ids = chosen_ids(editor);
@@ -70,70 +111,64 @@ void move_in_order(Editor& editor, bool down) {
 }
 
 void add_visibility_commands(CommandTable& table, Editor& editor, const WhyNot& object) {
-  table.add({"object.hide",
-             "Edit",
-             "Hide",
-             "Hide the chosen objects.",
-             "H",
-             icon::hidden,
-             true,
-             true,
-             [&editor] {
-               const auto ids = chosen_ids(editor);
-               edit_each(
-                   editor, ids, counted_step("Hide object", "Hide {0} objects", ids.size()),
-                   [](const Document& document, ObjectId id) { return set_visible(document, id, false); });
-             },
-             object,
-             {},
-             Context::object});
-  table.add({"object.isolate",
-             "Edit",
-             "Isolate",
-             "Hide all other objects.",
-             "Shift+H",
-             "",
-             true,
-             false,
-             [&editor] { isolate(editor); },
-             object,
-             {},
-             Context::object});
+  table.add({.id = "object.hide",
+             .menu = "Edit",
+             .label = "Hide",
+             .help = "Hide the chosen objects.",
+             .keys = "H",
+             .icon = icon::hidden,
+             .changes_document = true,
+             .separator_before = true,
+             .run = [&editor] { hide_chosen(editor); },
+             .why_not = object,
+             .contexts = Context::object});
+  table.add({.id = "object.isolate",
+             .menu = "Edit",
+             .label = "Isolate",
+             .help = "Hide all other objects.",
+             .keys = "Shift+H",
+             .changes_document = true,
+             .run = [&editor] { isolate(editor); },
+             .why_not = object,
+             .contexts = Context::object});
   table.add(
-      {"object.show_all", "Edit", "Show all", "Show every object again.", "Alt+H", icon::shown, true, false,
-       [&editor] {
-         std::vector<ObjectId> hidden;
-         for (const auto& candidate : editor.history.current().objects)
-           if (!candidate->visible) hidden.push_back(candidate->id);
-         edit_each(editor, hidden, "Show all objects",
-                   [](const Document& document, ObjectId id) { return set_visible(document, id, true); });
-       },
-       [&editor]() -> Reason {
-         const auto& objects = editor.document().objects;
-         if (std::any_of(objects.begin(), objects.end(), [](const auto& each) { return !each->visible; }))
-           return {};
-         return translatable("No object is hidden.");
-       }});
-  table.add({"object.lock", "Edit", "Lock", "Protect the chosen objects from changes, or unlock them.", "",
-             icon::locked, true, false,
-             [&editor] {
-               const auto ids = chosen_ids(editor);
-               const bool lock = !editor.active_object()->locked;
-               edit_each(
-                   editor, ids,
-                   lock ? counted_step("Lock object", "Lock {0} objects", ids.size())
-                        : counted_step("Unlock object", "Unlock {0} objects", ids.size()),
-                   [lock](const Document& document, ObjectId id) { return set_locked(document, id, lock); });
-             },
-             object, [&editor] { return editor.active_object() && editor.active_object()->locked; },
-             Context::object});
+      {.id = "object.show_all",
+       .menu = "Edit",
+       .label = "Show all",
+       .help = "Show every object again.",
+       .keys = "Alt+H",
+       .icon = icon::shown,
+       .changes_document = true,
+       .run = [&editor] { show_hidden(editor); },
+       .why_not = only_if([&editor] { return any_hidden(editor); }, translatable("No object is hidden."))});
+  table.add({.id = "object.lock",
+             .menu = "Edit",
+             .label = "Lock",
+             .help = "Protect the chosen objects from changes, or unlock them.",
+             .icon = icon::locked,
+             .changes_document = true,
+             .run = [&editor] { lock_chosen(editor); },
+             .why_not = object,
+             .checked = [&editor] { return editor.active_object() && editor.active_object()->locked; },
+             .contexts = Context::object});
 }
 
 void add_order_commands(CommandTable& table, Editor& editor, const WhyNot& object) {
-  table.add({"object.move_up", "Edit", "Move up in the list", "One place up in the list of objects.", "", "",
-             true, true, [&editor] { move_in_order(editor, false); }, object});
-  table.add({"object.move_down", "Edit", "Move down in the list", "One place down in the list of objects.",
-             "", "", true, false, [&editor] { move_in_order(editor, true); }, object});
+  table.add({.id = "object.move_up",
+             .menu = "Edit",
+             .label = "Move up in the list",
+             .help = "One place up in the list of objects.",
+             .changes_document = true,
+             .separator_before = true,
+             .run = [&editor] { move_in_order(editor, false); },
+             .why_not = object});
+  table.add({.id = "object.move_down",
+             .menu = "Edit",
+             .label = "Move down in the list",
+             .help = "One place down in the list of objects.",
+             .changes_document = true,
+             .run = [&editor] { move_in_order(editor, true); },
+             .why_not = object});
 }
 
 }  // namespace
@@ -142,52 +177,33 @@ void add_object_commands(CommandHost& host) {
   CommandTable& table = host.table;
   Editor& editor = host.editor;
   const WhyNot object = needs_object(editor);
-  table.add({"object.rename",
-             "Edit",
-             "Rename object",
-             "Type another name.",
-             "F2",
-             "",
-             false,
-             true,
-             [&editor] { editor.rename_wanted = true; },
-             object,
-             {},
-             Context::object});
-  table.add({"object.duplicate",
-             "Edit",
-             "Duplicate object",
-             "Copy the chosen objects in place.",
-             "Ctrl+D",
-             "",
-             true,
-             false,
-             [&editor] { duplicate(editor); },
-             object,
-             {},
-             Context::object});
-  table.add({"object.delete",
-             "Edit",
-             "Delete object",
-             "Delete the chosen objects.",
-             "Shift+Del",
-             icon::trash,
-             true,
-             false,
-             [&editor] {
-               const auto ids = chosen_ids(editor);
-               const std::size_t attached = attached_to(editor.history.current(), ids);
-               if (!editor.commit(delete_objects(editor.history.current(), ids),
-                                  counted_step("Delete object", "Delete {0} objects", ids.size())))
-                 return;
-               if (attached > 0)
-                 editor.notify(Notice::Kind::info,
-                               fill(editor.language("Attached edges that keep a copy of their side: {0}"),
-                                    {std::to_string(attached)}));
-             },
-             object,
-             {},
-             Context::none});
+  table.add({.id = "object.rename",
+             .menu = "Edit",
+             .label = "Rename object",
+             .help = "Type another name.",
+             .keys = "F2",
+             .separator_before = true,
+             .run = [&editor] { editor.rename_wanted = true; },
+             .why_not = object,
+             .contexts = Context::object});
+  table.add({.id = "object.duplicate",
+             .menu = "Edit",
+             .label = "Duplicate object",
+             .help = "Copy the chosen objects in place.",
+             .keys = "Ctrl+D",
+             .changes_document = true,
+             .run = [&editor] { duplicate(editor); },
+             .why_not = object,
+             .contexts = Context::object});
+  table.add({.id = "object.delete",
+             .menu = "Edit",
+             .label = "Delete object",
+             .help = "Delete the chosen objects.",
+             .keys = "Shift+Del",
+             .icon = icon::trash,
+             .changes_document = true,
+             .run = [&editor] { delete_chosen(editor); },
+             .why_not = object});
   add_visibility_commands(table, editor, object);
   add_order_commands(table, editor, object);
 }

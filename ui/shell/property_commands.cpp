@@ -131,15 +131,13 @@ WhyNot needs(const Editor& editor, Has has) {
 
 Command property(std::string id, std::string menu, const char* label, const char* help,
                  std::function<void()> run, WhyNot why_not) {
-  Command command;
-  command.id = "property." + std::move(id);
-  command.menu = std::move(menu);
-  command.label = label;
-  command.help = help;
-  command.run = std::move(run);
-  command.why_not = std::move(why_not);
-  command.in_menu = false;
-  return command;
+  return {.id = "property." + std::move(id),
+          .menu = std::move(menu),
+          .label = label,
+          .help = help,
+          .run = std::move(run),
+          .why_not = std::move(why_not),
+          .in_menu = false};
 }
 
 constexpr const char* properties = translatable("Properties");
@@ -193,11 +191,9 @@ void add_skin_choices(CommandHost& host) {
     Command command = property(
         choice.id, menu_of(is_skin) + "/" + choice.list, choice.label, choice.help,
         [&editor, choose = choice.choose] { choose(editor, *shown_skin(editor)); },
-        [&editor, usual = needs(editor, is_skin)]() -> Reason {
-          if (auto reason = usual()) return reason;
-          if (shown_skin(editor)) return {};
-          return translatable("No skin is active. Click one in the list of objects.");
-        });
+        only_if(
+            needs(editor, is_skin), [&editor] { return shown_skin(editor) != nullptr; },
+            translatable("No skin is active. Click one in the list of objects.")));
     command.changes_document = true;
     host.table.add(std::move(command));
   }

@@ -5,22 +5,25 @@
 
 namespace hariko {
 
+namespace {
+
+void start_guide(Editor& editor) {
+  if (!editor.has_document) editor.open({}, {});
+  editor.guide.start({editor.history.current(), editor.exports});
+}
+
+}  // namespace
+
 void add_start_commands(CommandHost& host) {
   Editor& editor = host.editor;
-  host.table.add({"help.guide",
-                  "Help",
-                  "Your first model",
-                  "Make a model in two minutes, step by step.",
-                  "",
-                  icon::info,
-                  false,
-                  false,
-                  [&editor] {
-                    if (!editor.has_document) editor.open({}, {});
-                    editor.guide.start({editor.history.current(), editor.exports});
-                  },
-                  {},
-                  [&editor] { return editor.guide.shown(); }});
+  host.table.add({.id = "help.guide",
+                  .menu = "Help",
+                  .label = "Your first model",
+                  .help = "Make a model in two minutes, step by step.",
+                  .icon = icon::info,
+                  .while_tool_runs = true,
+                  .run = [&editor] { start_guide(editor); },
+                  .checked = [&editor] { return editor.guide.shown(); }});
 }
 
 }  // namespace hariko

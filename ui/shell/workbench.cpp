@@ -55,7 +55,7 @@ Workbench::Workbench(Editor& editor, Renderer& renderer, int quick_samples, cons
 }
 
 void Workbench::add_commands() {
-  // Menus stand in the order of these lines.
+  // Commands of a menu stand in the order of these lines.
   add_file_commands(host_, *this);
   add_edit_commands(host_);
   add_object_commands(host_);
@@ -299,8 +299,7 @@ void Workbench::key(const KeyPress& press) {
   if (viewport_.tool_key(press)) return;
   const Command* command = commands_.find(chord);
   if (!command || paper_panel_.dragging()) return;
-  // In the middle of a drag or a modal tool the view may change, and nothing else.
-  if (viewport_.tool_active() && !command->menu.starts_with("View") && command->menu != "Help") return;
+  if (viewport_.tool_active() && !command->while_tool_runs) return;
   if (editor_.history.in_gesture() && command->changes_document) return;
   // Keys act in the view under the pointer.
   editor_.layout.activate(editor_.layout.active());

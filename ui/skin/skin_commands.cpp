@@ -1,6 +1,7 @@
 // Commands of the Skin menu: correspondences, sections, the path.
 
 #include <algorithm>
+#include <memory>
 
 #include "core/skinning/edit/add_section.hpp"
 #include "core/skinning/edit/edit_path.hpp"
@@ -15,17 +16,14 @@
 #include "ui/skin/slide_section_tool.hpp"
 #include "ui/view/viewport.hpp"
 #include "ui/widgets/application_services.hpp"
-#include "ui/widgets/command_services.hpp"
 
 namespace hariko {
 
 namespace {
 
 WhyNot needs_skin(const Editor& editor) {
-  return [&editor]() -> Reason {
-    if (shown_skin(editor)) return {};
-    return translatable("No skin is active. Click one in the list of objects.");
-  };
+  return only_if([&editor] { return shown_skin(editor) != nullptr; },
+                 translatable("No skin is active. Click one in the list of objects."));
 }
 
 WhyNot needs_points(const Editor& editor, bool one_section) {
@@ -40,11 +38,9 @@ WhyNot needs_points(const Editor& editor, bool one_section) {
 }
 
 WhyNot needs_path_point(const Editor& editor) {
-  return [&editor, skin = needs_skin(editor)]() -> Reason {
-    if (auto reason = skin()) return reason;
-    if (selected_path_points(editor).size() == 1) return {};
-    return translatable("Select one point of the path.");
-  };
+  return only_if(
+      needs_skin(editor), [&editor] { return selected_path_points(editor).size() == 1; },
+      translatable("Select one point of the path."));
 }
 
 const Skin& skin_of(const Editor& editor) {
@@ -62,12 +58,25 @@ int chosen_span(const Editor& editor) {
   return section.closed ? chosen.front() : std::min(chosen.front(), last - 1);
 }
 
-using MakeEdit = std::function<Result<SkinEdit>()>;
+using MakeEdit = std::function<Result<SkinEdit>(const Skin&)>;
 
-void run_edit(Editor& editor, const MakeEdit& make, const char* label) {
+void run_edit(Editor& editor, const MakeEdit& make, const char* step) {
   const ObjectId object = shown_skin(editor)->id;
-  const auto edit = make();
-  if (commit_skin(editor, object, edit, label)) select_new_points(editor, *edit);
+  const auto edit = make(skin_of(editor));
+  if (commit_skin(editor, object, edit, step)) select_new_points(editor, *edit);
+}
+
+/// A row of the menu that makes one edit; the step is called as the row is.
+void add_edit(CommandHost& host, const char* id, const char* label, const char* help, const WhyNot& why_not,
+              MakeEdit make) {
+  host.table.add(
+      {.id = id,
+       .menu = "Skin",
+       .label = label,
+       .help = help,
+       .changes_document = true,
+       .run = [&editor = host.editor, label, make = std::move(make)] { run_edit(editor, make, label); },
+       .why_not = why_not});
 }
 
 /// The middle of the strip behind the selected section, of the longest one where none is selected.
@@ -97,160 +106,110 @@ std::vector<std::uint32_t> chosen_sections(const Editor& editor) {
   return out;
 }
 
+void insert_point(Editor& editor) {
+  const auto insert = [&](const Skin& skin) {
+    const std::uint32_t section = selected_section(editor)->id;
+    const int span = chosen_span(editor);
+    return skin.mirror ? insert_section_point(skin, section, span, *skin.mirror)
+                       : insert_section_point(skin, section, span);
+  };
+  run_edit(editor, insert, translatable("Insert section point"));
+}
+
 void add_point_commands(CommandHost& host) {
   Editor& editor = host.editor;
-  const WhyNot points = needs_points(editor, false), one = needs_points(editor, true);
-  host.table.add({"skin.insert_point", "Skin", "Insert point",
-                  "One more point behind the selected one; the section keeps its shape.", "", "", true, true,
-                  [&editor] {
-                    run_edit(
-                        editor,
-                        [&] {
-                          const Skin& s = skin_of(editor);
-                          const std::uint32_t section = selected_section(editor)->id;
-                          const int span = chosen_span(editor);
-                          return s.mirror ? insert_section_point(s, section, span, *s.mirror)
-                                          : insert_section_point(s, section, span);
-                        },
-                        translatable("Insert section point"));
-                  },
-                  one});
-  host.table.add({"skin.delete_points", "Skin", "Delete points",
-                  "The section goes through the points that are left.", "", "", true, false,
-                  [&editor] { delete_selected_points(editor); }, points});
-  host.table.add({"skin.refine", "Skin", "Refine section",
-                  "Twice as many points; the section stays exactly as it is.", "", "", true, false,
-                  [&editor] {
-                    run_edit(
-                        editor, [&] { return refine_section(skin_of(editor), selected_section(editor)->id); },
-                        translatable("Refine section"));
-                  },
-                  one});
-  host.table.add({"skin.flip_section", "Skin", "Turn section round", "Swaps the ends of the section.", "", "",
-                  true, false,
-                  [&editor] {
-                    run_edit(
-                        editor, [&] { return flip_section(skin_of(editor), selected_section(editor)->id); },
-                        translatable("Turn section round"));
-                  },
-                  one});
-  host.table.add({"skin.seam", "Skin", "Begin section here",
-                  "The selected point becomes the first of its closed section.", "", "", true, false,
-                  [&editor] {
-                    run_edit(
-                        editor,
-                        [&] { return move_seam(skin_of(editor), selected_section_points(editor).front()); },
-                        translatable("Begin section here"));
-                  },
-                  one});
-  host.table.add({"skin.symmetric", "Skin", "Make symmetric",
-                  "The halves of the selected sections, or of all, become mirror images of each other.", "",
-                  "", true, false,
-                  [&editor] {
-                    run_edit(
-                        editor,
-                        [&] {
-                          const Skin& skin = skin_of(editor);
-                          return make_symmetric(skin, chosen_sections(editor), mirror_plane(skin));
-                        },
-                        translatable("Make symmetric"));
-                  },
-                  needs_skin(editor)});
-  host.table.add({"skin.close_sections", "Skin", "Close or open sections",
-                  "All sections become closed curves, or open ones.", "", "", true, false,
-                  [&editor] {
-                    run_edit(
-                        editor,
-                        [&] { return set_closed(skin_of(editor), !has_closed_sections(skin_of(editor))); },
-                        translatable("Close or open sections"));
-                  },
-                  needs_skin(editor)});
+  const WhyNot skin = needs_skin(editor), points = needs_points(editor, false),
+               one = needs_points(editor, true);
+  host.table.add({.id = "skin.insert_point",
+                  .menu = "Skin",
+                  .label = "Insert point",
+                  .help = "One more point behind the selected one; the section keeps its shape.",
+                  .changes_document = true,
+                  .separator_before = true,
+                  .run = [&editor] { insert_point(editor); },
+                  .why_not = one});
+  host.table.add({.id = "skin.delete_points",
+                  .menu = "Skin",
+                  .label = "Delete points",
+                  .help = "The section goes through the points that are left.",
+                  .changes_document = true,
+                  .run = [&editor] { delete_selected_points(editor); },
+                  .why_not = points});
+  add_edit(host, "skin.refine", "Refine section", "Twice as many points; the section stays exactly as it is.",
+           one, [&editor](const Skin& s) { return refine_section(s, selected_section(editor)->id); });
+  add_edit(host, "skin.flip_section", "Turn section round", "Swaps the ends of the section.", one,
+           [&editor](const Skin& s) { return flip_section(s, selected_section(editor)->id); });
+  add_edit(host, "skin.seam", "Begin section here",
+           "The selected point becomes the first of its closed section.", one,
+           [&editor](const Skin& s) { return move_seam(s, selected_section_points(editor).front()); });
+  add_edit(host, "skin.symmetric", "Make symmetric",
+           "The halves of the selected sections, or of all, become mirror images of each other.", skin,
+           [&editor](const Skin& s) { return make_symmetric(s, chosen_sections(editor), mirror_plane(s)); });
+  add_edit(host, "skin.close_sections", "Close or open sections",
+           "All sections become closed curves, or open ones.", skin,
+           [](const Skin& s) { return set_closed(s, !has_closed_sections(s)); });
 }
 
 void add_section_commands(CommandHost& host) {
   Editor& editor = host.editor;
-  const WhyNot skin = needs_skin(editor);
+  const WhyNot skin = needs_skin(editor), one = needs_points(editor, true);
   host.table.add(
-      {"skin.add_section", "Skin", "Add section",
-       "A section taken from the surface, in the middle behind the selected one.", "", "", true, true,
-       [&host, &editor] { host.application.add_section(shown_skin(editor)->id, place_for_section(editor)); },
-       skin});
-  host.table.add({"skin.section_here", "Skin", "Add section by click\u2026",
-                  "A section taken from the surface where it is clicked.", "", "", false, false,
-                  [&host] {
-                    host.viewport.start_modal(make_add_section_tool([&host](ObjectId object, double place) {
-                      host.application.add_section(object, place);
-                    }));
-                  },
-                  skin});
-  host.table.add({"skin.draw_section", "Skin", "Draw section\u2026",
-                  "A section drawn by hand or by points, in a plane across the path.", "", "", false, false,
-                  [&host] { host.viewport.start_modal(make_draw_section_tool()); }, skin});
-  host.table.add({"skin.slide_section", "Skin", "Slide section\u2026",
-                  "Moves the section of the selected points along the path.", "", "", false, false,
-                  [&host, &editor] {
-                    host.viewport.start_modal(make_slide_section_tool(selected_section(editor)->id, true));
-                  },
-                  needs_points(editor, true)});
-  host.table.add({"skin.delete_section", "Skin", "Delete section",
-                  "Deletes the section of the selected points.", "", "", true, false,
-                  [&editor] {
-                    run_edit(
-                        editor, [&] { return delete_section(skin_of(editor), selected_section(editor)->id); },
-                        translatable("Delete section"));
-                  },
-                  needs_points(editor, true)});
+      {.id = "skin.add_section",
+       .menu = "Skin",
+       .label = "Add section",
+       .help = "A section taken from the surface, in the middle behind the selected one.",
+       .changes_document = true,
+       .separator_before = true,
+       .run = [&host,
+               &editor] { host.application.add_section(shown_skin(editor)->id, place_for_section(editor)); },
+       .why_not = skin});
+  const auto tool = [&](const char* id, const char* label, const char* help, const WhyNot& why_not,
+                        std::function<std::unique_ptr<Tool>()> make) {
+    host.table.add({.id = id,
+                    .menu = "Skin",
+                    .label = label,
+                    .help = help,
+                    .run = [&host, make = std::move(make)] { host.viewport.start_modal(make()); },
+                    .why_not = why_not});
+  };
+  tool("skin.section_here", "Add section by click\u2026",
+       "A section taken from the surface where it is clicked.", skin, [&host] {
+         return make_add_section_tool(
+             [&host](ObjectId object, double place) { host.application.add_section(object, place); });
+       });
+  tool("skin.draw_section", "Draw section\u2026",
+       "A section drawn by hand or by points, in a plane across the path.", skin, make_draw_section_tool);
+  tool("skin.slide_section", "Slide section\u2026",
+       "Moves the section of the selected points along the path.", one,
+       [&editor] { return make_slide_section_tool(selected_section(editor)->id, true); });
+  add_edit(host, "skin.delete_section", "Delete section", "Deletes the section of the selected points.", one,
+           [&editor](const Skin& s) { return delete_section(s, selected_section(editor)->id); });
 }
 
 void add_path_commands(CommandHost& host) {
   Editor& editor = host.editor;
-  const WhyNot skin = needs_skin(editor);
-  host.table.add({"skin.insert_path_point", "Skin", "Insert path point",
-                  "One more point behind the selected one of the path; it keeps its shape.", "", "", true,
-                  true,
-                  [&editor] {
-                    run_edit(
-                        editor,
-                        [&] {
-                          const Skin& s = skin_of(editor);
-                          return insert_path_point(
-                              s, std::min(selected_path_points(editor).front(), s.path.spans() - 1));
-                        },
-                        translatable("Insert path point"));
-                  },
-                  needs_path_point(editor)});
-  host.table.add(
-      {"skin.delete_path_point", "Skin", "Delete path point",
-       "The path goes through the points that are left.", "", "", true, false,
-       [&editor] {
-         run_edit(
-             editor, [&] { return delete_path_point(skin_of(editor), selected_path_points(editor).front()); },
-             translatable("Delete path point"));
-       },
-       needs_path_point(editor)});
-  host.table.add({"skin.refine_path", "Skin", "Refine path",
-                  "Twice as many points; the path stays exactly as it is.", "", "", true, false,
-                  [&editor] {
-                    run_edit(
-                        editor, [&] { return refine_path(skin_of(editor)); }, translatable("Refine path"));
-                  },
-                  skin});
-  host.table.add({"skin.trim_path", "Skin", "Trim path",
-                  "Cuts the path off at its first and its last section.", "", "", true, false,
-                  [&editor] {
-                    run_edit(
-                        editor, [&] { return trim_path(skin_of(editor)); }, translatable("Trim path"));
-                  },
-                  skin});
-  host.table.add({"skin.close_path", "Skin", "Close or open path",
-                  "The path runs back to its beginning, or ends at its last section.", "", "", true, false,
-                  [&editor] {
-                    run_edit(
-                        editor,
-                        [&] { return set_path_closed(skin_of(editor), !skin_of(editor).path.closed); },
-                        translatable("Close or open path"));
-                  },
-                  skin});
+  const WhyNot skin = needs_skin(editor), point = needs_path_point(editor);
+  const auto insert = [&editor](const Skin& s) {
+    return insert_path_point(s, std::min(selected_path_points(editor).front(), s.path.spans() - 1));
+  };
+  host.table.add({.id = "skin.insert_path_point",
+                  .menu = "Skin",
+                  .label = "Insert path point",
+                  .help = "One more point behind the selected one of the path; it keeps its shape.",
+                  .changes_document = true,
+                  .separator_before = true,
+                  .run = [&editor, insert] { run_edit(editor, insert, translatable("Insert path point")); },
+                  .why_not = point});
+  add_edit(host, "skin.delete_path_point", "Delete path point",
+           "The path goes through the points that are left.", point,
+           [&editor](const Skin& s) { return delete_path_point(s, selected_path_points(editor).front()); });
+  add_edit(host, "skin.refine_path", "Refine path", "Twice as many points; the path stays exactly as it is.",
+           skin, refine_path);
+  add_edit(host, "skin.trim_path", "Trim path", "Cuts the path off at its first and its last section.", skin,
+           trim_path);
+  add_edit(host, "skin.close_path", "Close or open path",
+           "The path runs back to its beginning, or ends at its last section.", skin,
+           [](const Skin& s) { return set_path_closed(s, !s.path.closed); });
 }
 
 }  // namespace
@@ -258,24 +217,33 @@ void add_path_commands(CommandHost& host) {
 void add_skin_commands(CommandHost& host) {
   Editor& editor = host.editor;
   const WhyNot skin = needs_skin(editor);
-  host.table.add({"skin.draw", "Skin", "Draw skin\u2026",
-                  "Draw a path and two sections, by hand or by points: a new skin.", "", "", false, false,
-                  [&host, &editor] {
+  host.table.add({.id = "skin.draw",
+                  .menu = "Skin",
+                  .label = "Draw skin\u2026",
+                  .help = "Draw a path and two sections, by hand or by points: a new skin.",
+                  .run = [&host, &editor] {
                     begin_document(editor);
                     host.viewport.start_modal(make_draw_skin_tool());
                   }});
   host.table.add(
-      {"skin.correspond", "Skin", "Correspondences\u2026",
-       "Draw over the sections which points belong together: a line joins, a closed curve groups, a "
-       "wedge merges.",
-       "", "", false, false, [&host] { host.viewport.start_modal(make_correspond_tool()); }, skin});
+      {.id = "skin.correspond",
+       .menu = "Skin",
+       .label = "Correspondences\u2026",
+       .help = "Draw over the sections which points belong together: a line joins, a closed curve groups, a "
+               "wedge merges.",
+       .run = [&host] { host.viewport.start_modal(make_correspond_tool()); },
+       .why_not = skin});
   add_point_commands(host);
   add_section_commands(host);
   add_path_commands(host);
-  host.table.add({"skin.to_polyhedron", "Skin", "Convert to polyhedron",
-                  "A polyhedron through points of the surface, with its tangent planes; the skin is hidden.",
-                  "", "", false, true, [&host, &editor] { host.application.convert(shown_skin(editor)->id); },
-                  skin});
+  host.table.add(
+      {.id = "skin.to_polyhedron",
+       .menu = "Skin",
+       .label = "Convert to polyhedron",
+       .help = "A polyhedron through points of the surface, with its tangent planes; the skin is hidden.",
+       .separator_before = true,
+       .run = [&host, &editor] { host.application.convert(shown_skin(editor)->id); },
+       .why_not = skin});
 }
 
 }  // namespace hariko

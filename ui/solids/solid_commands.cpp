@@ -146,45 +146,80 @@ Reason needs_ball(const Editor& editor, const WhyNot& needs) {
   return translatable("The surface is a network of curves.");
 }
 
+void add_new_solids(CommandHost& host) {
+  Editor& editor = host.editor;
+  for (const NewSolid& shape : new_solids())
+    host.table.add({.id = std::string("solid.") + shape.name,
+                    .menu = "Solids",
+                    .label = shape.label,
+                    .help = shape.help,
+                    .changes_document = true,
+                    .run = [&editor, shape] { add(editor, shape); }});
+  bool first = true;
+  for (const NewSolid& shape : new_solids()) {
+    host.table.add(
+        {.id = std::string("solid.place_") + shape.name,
+         .menu = submenu("Solids", translatable("Place")),
+         .label = shape.label,
+         .help = "Click where it is to stand, on the ground or on another solid; drag for its size.",
+         .separator_before = first,
+         .run = [&host, shape] {
+           begin_document(host.editor);
+           host.viewport.start_modal(make_place_solid_tool(shape));
+         }});
+    first = false;
+  }
+}
+
 }  // namespace
 
 void add_solid_commands(CommandHost& host) {
   Editor& editor = host.editor;
-  for (const NewSolid& shape : new_solids())
-    host.table.add({std::string("solid.") + shape.name, "Solids", shape.label, shape.help, "", "", true,
-                    false, [&editor, shape] { add(editor, shape); }});
-  bool first = true;
-  for (const NewSolid& shape : new_solids()) {
-    host.table.add({std::string("solid.place_") + shape.name, submenu("Solids", translatable("Place")),
-                    shape.label,
-                    "Click where it is to stand, on the ground or on another solid; drag for its size.", "",
-                    "", false, first, [&host, shape] {
-                      begin_document(host.editor);
-                      host.viewport.start_modal(make_place_solid_tool(shape));
-                    }});
-    first = false;
-  }
+  add_new_solids(host);
   const WhyNot object = needs_object(editor);
   const auto chosen = [&editor, object] { return needs_chosen_solids(editor, object); };
-  host.table.add({"solid.duplicate", "Solids", "Duplicate solid", "Copy the selected solids to their right.",
-                  "", "", true, true, [&editor] { duplicate_solids(editor); }, chosen});
+  host.table.add({.id = "solid.duplicate",
+                  .menu = "Solids",
+                  .label = "Duplicate solid",
+                  .help = "Copy the selected solids to their right.",
+                  .changes_document = true,
+                  .separator_before = true,
+                  .run = [&editor] { duplicate_solids(editor); },
+                  .why_not = chosen});
   host.table.add(
-      {"solid.row", "Solids", "Row of solids",
-       "Copy the selected solids several times, each as far from the last; number and distance can be "
-       "changed right afterwards.",
-       "", "", true, false, [&editor] { make_row(editor); }, chosen});
-  host.table.add({"solid.bridge", "Solids", "Bridge solids", "Put a bar between the two selected solids.", "",
-                  "", true, false, [&editor] { bridge(editor); },
-                  [&editor, object] { return needs_two_solids(editor, object); }});
-  host.table.add({"solid.join_parts", "Solids", "Join parts",
-                  "Enlarge the ball to the smallest that makes one part of the surface.", "", "", true, false,
-                  [&editor] { join(editor); }, [&editor, object] { return needs_ball(editor, object); }});
+      {.id = "solid.row",
+       .menu = "Solids",
+       .label = "Row of solids",
+       .help =
+           "Copy the selected solids several times, each as far from the last; number and distance can be "
+           "changed right afterwards.",
+       .changes_document = true,
+       .run = [&editor] { make_row(editor); },
+       .why_not = chosen});
+  host.table.add({.id = "solid.bridge",
+                  .menu = "Solids",
+                  .label = "Bridge solids",
+                  .help = "Put a bar between the two selected solids.",
+                  .changes_document = true,
+                  .run = [&editor] { bridge(editor); },
+                  .why_not = [&editor, object] { return needs_two_solids(editor, object); }});
+  host.table.add({.id = "solid.join_parts",
+                  .menu = "Solids",
+                  .label = "Join parts",
+                  .help = "Enlarge the ball to the smallest that makes one part of the surface.",
+                  .changes_document = true,
+                  .run = [&editor] { join(editor); },
+                  .why_not = [&editor, object] { return needs_ball(editor, object); }});
   host.table.add(
-      {"solid.to_polyhedron", "Solids", "Convert to polyhedron",
-       "The corners of the surface become a polyhedron whose vertices and normals can be edited; the "
-       "solids are kept, hidden.",
-       "", "", true, true, [&host, &editor] { host.application.convert(editor.selection.active); },
-       [&editor, object] { return needs_solids(editor, object); }});
+      {.id = "solid.to_polyhedron",
+       .menu = "Solids",
+       .label = "Convert to polyhedron",
+       .help = "The corners of the surface become a polyhedron whose vertices and normals can be edited; the "
+               "solids are kept, hidden.",
+       .changes_document = true,
+       .separator_before = true,
+       .run = [&host, &editor] { host.application.convert(editor.selection.active); },
+       .why_not = [&editor, object] { return needs_solids(editor, object); }});
 }
 
 }  // namespace hariko

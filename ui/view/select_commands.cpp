@@ -55,17 +55,14 @@ void add_modes(CommandHost& host) {
   Editor& editor = host.editor;
   const auto mode = [&](const char* id, const char* label, const char* keys, const char* symbol,
                         ElementMode value) {
-    host.table.add({id,
-                    "Select",
-                    label,
-                    "What a click takes.",
-                    keys,
-                    symbol,
-                    false,
-                    false,
-                    [&editor, value] { change_mode(editor, value); },
-                    {},
-                    [&editor, value] { return editor.mode == value; }});
+    host.table.add({.id = id,
+                    .menu = "Select",
+                    .label = label,
+                    .help = "What a click takes.",
+                    .keys = keys,
+                    .icon = symbol,
+                    .run = [&editor, value] { change_mode(editor, value); },
+                    .checked = [&editor, value] { return editor.mode == value; }});
   };
   mode("select.vertices", "Vertices", "1", icon::vertex, ElementMode::vertex);
   mode("select.edges", "Edges", "2", icon::edge, ElementMode::edge);
@@ -73,9 +70,13 @@ void add_modes(CommandHost& host) {
   mode("select.objects", "Objects", "4", icon::object, ElementMode::object);
   const WhyNot document = needs_document(editor);
   const auto conversion = [&](const char* id, const char* label, const char* keys, ElementMode value) {
-    host.table.add({id, submenu("Select", translatable("Convert")), label,
-                    "Selects the elements of this kind that the selection consists of.", keys, "", false,
-                    false, [&editor, value] { convert(editor, value); }, document});
+    host.table.add({.id = id,
+                    .menu = submenu("Select", translatable("Convert")),
+                    .label = label,
+                    .help = "Selects the elements of this kind that the selection consists of.",
+                    .keys = keys,
+                    .run = [&editor, value] { convert(editor, value); },
+                    .why_not = document});
   };
   conversion("select.to_vertices", "To vertices", "Ctrl+1", ElementMode::vertex);
   conversion("select.to_edges", "To edges", "Ctrl+2", ElementMode::edge);
@@ -113,16 +114,30 @@ void invert_selection(Editor& editor) {
 
 void add_wholes(CommandHost& host) {
   Editor& editor = host.editor;
-  host.table.add({"select.all", "Select", "All",
-                  "Select every element of the active object, or every object.", "Ctrl+A", "", false, true,
-                  [&editor] { select_all(editor); }, needs_object(editor)});
-  host.table.add(
-      {"select.none", "Select", "None", "Select nothing.", "Ctrl+Shift+A", "", false, false, [&editor] {
-         if (editor.mode == ElementMode::object) editor.selection.clear_objects();
-         editor.selection.clear_elements();
-       }});
-  host.table.add({"select.invert", "Select", "Invert", "Select what is not selected.", "Ctrl+Shift+I", "",
-                  false, false, [&editor] { invert_selection(editor); }, needs_object(editor)});
+  host.table.add({.id = "select.all",
+                  .menu = "Select",
+                  .label = "All",
+                  .help = "Select every element of the active object, or every object.",
+                  .keys = "Ctrl+A",
+                  .separator_before = true,
+                  .run = [&editor] { select_all(editor); },
+                  .why_not = needs_object(editor)});
+  host.table.add({.id = "select.none",
+                  .menu = "Select",
+                  .label = "None",
+                  .help = "Select nothing.",
+                  .keys = "Ctrl+Shift+A",
+                  .run = [&editor] {
+                    if (editor.mode == ElementMode::object) editor.selection.clear_objects();
+                    editor.selection.clear_elements();
+                  }});
+  host.table.add({.id = "select.invert",
+                  .menu = "Select",
+                  .label = "Invert",
+                  .help = "Select what is not selected.",
+                  .keys = "Ctrl+Shift+I",
+                  .run = [&editor] { invert_selection(editor); },
+                  .why_not = needs_object(editor)});
 }
 
 /// The connected part under the pointer, else those that the selection touches.
@@ -157,19 +172,27 @@ void add_growth(CommandHost& host) {
   Editor& editor = host.editor;
   const auto change = [&](const char* id, const char* label, const char* help, const char* keys,
                           NeededElements kinds, bool first, Change how) {
-    host.table.add(
-        {id, "Select", label, help, keys, "", false, first,
-         [&editor, how = std::move(how)] { change_elements(editor.selection, editor.document(), how); },
-         needs_selected(editor, kinds)});
+    host.table.add({.id = id,
+                    .menu = "Select",
+                    .label = label,
+                    .help = help,
+                    .keys = keys,
+                    .separator_before = first,
+                    .run = [&editor, how = std::move(
+                                         how)] { change_elements(editor.selection, editor.document(), how); },
+                    .why_not = needs_selected(editor, kinds)});
   };
   change("select.grow", "Grow", "Add the neighbours of the selection.", "Ctrl+Num + / Ctrl+=", any_kind, true,
          [](const auto& source, const auto& elements) { return grow(source.polyhedron, elements); });
   change("select.shrink", "Shrink", "Remove the rim of the selection.", "Ctrl+Num - / Ctrl+-", any_kind,
          false, [](const auto& source, const auto& elements) { return shrink(source.polyhedron, elements); });
-  host.table.add({"select.linked", "Select", "Linked",
-                  "Add all that hangs together with what is under the pointer.", "L", "", false, false,
-                  [&editor] { select_linked(editor); },
-                  [&editor]() -> Reason {
+  host.table.add({.id = "select.linked",
+                  .menu = "Select",
+                  .label = "Linked",
+                  .help = "Add all that hangs together with what is under the pointer.",
+                  .keys = "L",
+                  .run = [&editor] { select_linked(editor); },
+                  .why_not = [&editor]() -> Reason {
                     if (editor.hovered && editor.mode != ElementMode::object) return {};
                     return needs_selected(editor, any_kind)();
                   }});
@@ -194,11 +217,13 @@ void add_growth(CommandHost& host) {
 void add_similar(CommandHost& host) {
   Editor& editor = host.editor;
   const auto similar = [&](const char* id, const char* label, NeededElements kinds, Change how) {
-    host.table.add(
-        {id, submenu("Select", translatable("Similar")), label,
-         "Add the elements that resemble the selected ones in this.", "", "", false, false,
-         [&editor, how = std::move(how)] { change_elements(editor.selection, editor.document(), how); },
-         needs_selected(editor, kinds)});
+    host.table.add({.id = id,
+                    .menu = submenu("Select", translatable("Similar")),
+                    .label = label,
+                    .help = "Add the elements that resemble the selected ones in this.",
+                    .run = [&editor, how = std::move(
+                                         how)] { change_elements(editor.selection, editor.document(), how); },
+                    .why_not = needs_selected(editor, kinds)});
   };
   const auto vertices = [&](const char* id, const char* label, VertexLikeness likeness) {
     similar(id, label, {.vertices = true}, [likeness](const auto& source, const auto& elements) {
@@ -232,38 +257,38 @@ void add_similar(CommandHost& host) {
   faces("select.similar_normal", "Faces: direction", FaceLikeness::normal);
 }
 
+void select_through(Editor& editor) {
+  SelectSettings& selecting = editor.selecting;
+  bool& through = editor.camera().orthographic ? selecting.through_parallel : selecting.through;
+  through = !through;
+}
+
 void add_pointing(CommandHost& host) {
   Editor& editor = host.editor;
   Viewport& viewport = host.viewport;
-  host.table.add({"select.box", "Select", "Box", "Drag a box, also over elements.", "B", "", false, true,
-                  [&viewport] { viewport.start_modal(make_region_tool(true)); }, needs_document(editor)});
-  host.table.add({"select.lasso",
-                  "Select",
-                  "Lasso",
-                  "Drags that begin beside elements draw a lasso; once more for boxes.",
-                  "Q",
-                  icon::lasso,
-                  false,
-                  false,
-                  [&editor] { editor.selecting.lasso = !editor.selecting.lasso; },
-                  {},
-                  [&editor] { return editor.selecting.lasso; }});
-  host.table.add({"select.through",
-                  "Select",
-                  "Select through",
-                  "Also select what is hidden. In parallel views boxes and lassos do so from the start.",
-                  "Shift+Q",
-                  "",
-                  false,
-                  false,
-                  [&editor] {
-                    SelectSettings& selecting = editor.selecting;
-                    bool& through =
-                        editor.camera().orthographic ? selecting.through_parallel : selecting.through;
-                    through = !through;
-                  },
-                  {},
-                  [&editor] { return editor.selecting.regions_through(editor.camera().orthographic); }});
+  host.table.add({.id = "select.box",
+                  .menu = "Select",
+                  .label = "Box",
+                  .help = "Drag a box, also over elements.",
+                  .keys = "B",
+                  .separator_before = true,
+                  .run = [&viewport] { viewport.start_modal(make_region_tool(true)); },
+                  .why_not = needs_document(editor)});
+  host.table.add(switching({.id = "select.lasso",
+                            .menu = "Select",
+                            .label = "Lasso",
+                            .help = "Drags that begin beside elements draw a lasso; once more for boxes.",
+                            .keys = "Q",
+                            .icon = icon::lasso},
+                           editor.selecting.lasso));
+  host.table.add(
+      {.id = "select.through",
+       .menu = "Select",
+       .label = "Select through",
+       .help = "Also select what is hidden. In parallel views boxes and lassos do so from the start.",
+       .keys = "Shift+Q",
+       .run = [&editor] { select_through(editor); },
+       .checked = [&editor] { return editor.selecting.regions_through(editor.camera().orthographic); }});
 }
 
 }  // namespace

@@ -34,9 +34,15 @@ void add_tools(CommandHost& host) {
   Viewport& viewport = host.viewport;
   const auto tool = [&](const char* id, const char* label, const char* help, const char* keys,
                         const char* symbol, TransformKind kind) {
-    host.table.add({id, "Transform", label, help, keys, symbol, true, false,
-                    [&viewport, kind] { viewport.start_modal(make_transform_tool(kind)); },
-                    [&editor] { return nothing_to_transform(editor); }});
+    host.table.add({.id = id,
+                    .menu = "Transform",
+                    .label = label,
+                    .help = help,
+                    .keys = keys,
+                    .icon = symbol,
+                    .changes_document = true,
+                    .run = [&viewport, kind] { viewport.start_modal(make_transform_tool(kind)); },
+                    .why_not = [&editor] { return nothing_to_transform(editor); }});
   };
   tool("transform.move", "Move", "Move the selection with the pointer or by typed lengths.", "G", icon::pan,
        TransformKind::move);
@@ -49,64 +55,43 @@ void add_tools(CommandHost& host) {
 void add_switches(CommandHost& host) {
   Editor& editor = host.editor;
   TransformSettings& settings = editor.transform;
-  host.table.add({"transform.gizmo",
-                  "Transform",
-                  "Gizmo",
-                  "Show handles at the selection that move, turn and scale it.",
-                  "Shift+W",
-                  "",
-                  false,
-                  true,
-                  [&settings] { settings.gizmo = !settings.gizmo; },
-                  {},
-                  [&settings] { return settings.gizmo; }});
-  host.table.add({"transform.local",
-                  "Transform",
-                  "Local axes",
-                  "The handles follow the axes of the object instead of those of the document.",
-                  "Alt+L",
-                  "",
-                  false,
-                  false,
-                  [&settings] { settings.local_axes = !settings.local_axes; },
-                  {},
-                  [&settings] { return settings.local_axes; }});
+  host.table.add(switching({.id = "transform.gizmo",
+                            .menu = "Transform",
+                            .label = "Gizmo",
+                            .help = "Show handles at the selection that move, turn and scale it.",
+                            .keys = "Shift+W",
+                            .separator_before = true},
+                           settings.gizmo));
   host.table.add(
-      {"transform.local_edit",
-       "Transform",
-       "Local editing",
-       "Vertices change the faces round them only: tangents there are fixed, and turning or scaling "
-       "changes the tangent plane.",
-       "Shift+O",
-       "",
-       false,
-       false,
-       [&settings] { settings.local_edit = !settings.local_edit; },
-       {},
-       [&settings] { return settings.local_edit; }});
-  host.table.add({"transform.soft",
-                  "Transform",
-                  "Soft selection",
-                  "Vertices near the selection follow in part. The wheel changes the radius while dragging.",
-                  "O",
-                  "",
-                  false,
-                  true,
-                  [&settings] { settings.soft.on = !settings.soft.on; },
-                  {},
-                  [&settings] { return settings.soft.on; }});
+      switching({.id = "transform.local",
+                 .menu = "Transform",
+                 .label = "Local axes",
+                 .help = "The handles follow the axes of the object instead of those of the document.",
+                 .keys = "Alt+L"},
+                settings.local_axes));
+  host.table.add(switching(
+      {.id = "transform.local_edit",
+       .menu = "Transform",
+       .label = "Local editing",
+       .help = "Vertices change the faces round them only: tangents there are fixed, and turning or scaling "
+               "changes the tangent plane.",
+       .keys = "Shift+O"},
+      settings.local_edit));
+  host.table.add(switching(
+      {.id = "transform.soft",
+       .menu = "Transform",
+       .label = "Soft selection",
+       .help = "Vertices near the selection follow in part. The wheel changes the radius while dragging.",
+       .keys = "O",
+       .separator_before = true},
+      settings.soft.on));
   const auto falloff = [&](const char* id, const char* label, Falloff value) {
-    host.table.add({id,
-                    "Transform",
-                    label,
-                    "How the influence of the soft selection fades with the distance.",
-                    "",
-                    "",
-                    false,
-                    false,
-                    [&settings, value] { settings.soft.falloff = value; },
-                    {},
-                    [&settings, value] { return settings.soft.falloff == value; }});
+    host.table.add({.id = id,
+                    .menu = "Transform",
+                    .label = label,
+                    .help = "How the influence of the soft selection fades with the distance.",
+                    .run = [&settings, value] { settings.soft.falloff = value; },
+                    .checked = [&settings, value] { return settings.soft.falloff == value; }});
   };
   falloff("transform.falloff_smooth", "Smooth falloff", Falloff::smooth);
   falloff("transform.falloff_linear", "Linear falloff", Falloff::linear);
@@ -117,17 +102,13 @@ void add_pivots(CommandHost& host) {
   TransformSettings& settings = host.editor.transform;
   bool first = true;
   const auto pivot = [&](const char* id, const char* label, const char* help, PivotMode value) {
-    host.table.add({id,
-                    "Transform",
-                    label,
-                    help,
-                    "",
-                    "",
-                    false,
-                    first,
-                    [&settings, value] { settings.pivot = value; },
-                    {},
-                    [&settings, value] { return settings.pivot == value; }});
+    host.table.add({.id = id,
+                    .menu = "Transform",
+                    .label = label,
+                    .help = help,
+                    .separator_before = first,
+                    .run = [&settings, value] { settings.pivot = value; },
+                    .checked = [&settings, value] { return settings.pivot == value; }});
     first = false;
   };
   pivot("transform.pivot_median", "Pivot: median", "Turn and scale about the mean of the selected points.",
