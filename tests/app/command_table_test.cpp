@@ -92,7 +92,7 @@ TEST(CommandRows, AReasonOnTopOfAnotherIsAskedAfterIt) {
   open = true;
   EXPECT_EQ(choice(), "Nothing is chosen.");
   chosen = true;
-  EXPECT_EQ(choice(), std::nullopt);
+  EXPECT_FALSE(choice().has_value());
 }
 
 TEST(CommandRows, ASwitchTurnsItsValueRoundAndShowsIt) {
