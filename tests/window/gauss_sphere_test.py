@@ -46,7 +46,7 @@ def links(window, output, given):
     # A point of the outline is one of its document.
     point = next(n for n in sorted(sites(window)) if n < given)
     window.click_on(f"gauss.site.{point}")
-    window.wait(lambda: window.last("document")["selection"] == "1 vertex", "a selected point")
+    window.wait(lambda: window.last("document")["selection"] == "1 point", "a selected point")
     # From the model to the sphere.
     window.key("Escape")
     x, y, width, height = window.rect("view.0")

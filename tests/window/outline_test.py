@@ -73,7 +73,7 @@ def tilt(window, output):
     # All of them by number.
     window.key("1")
     window.key("ctrl+a")
-    window.wait(lambda: window.last("document")["selection"] == "32 vertices", "all points selected")
+    window.wait(lambda: window.last("document")["selection"] == "32 points", "all points selected")
     before = finals(window)
     window.click_on("field.outline_tilt")
     window.key("ctrl+a")
@@ -88,7 +88,7 @@ def drag_point(window):
     window.key("Escape")
     x, y = window.center("outline.point.4")
     window.click(x, y)
-    window.wait(lambda: window.last("document")["selection"] == "1 vertex", "a selected point")
+    window.wait(lambda: window.last("document")["selection"] == "1 point", "a selected point")
     before = finals(window)
     window.drag((x, y), (x + 6, y + 4))
     step(window, "Move vertex", 3)
@@ -178,7 +178,7 @@ def spread(window, name, output):
     loop = outlines(window, name)[-1][0]
     window.key("1")
     window.click_on("outline.point.3")
-    window.wait(lambda: window.last("document")["selection"] == "1 vertex", "a selected point")
+    window.wait(lambda: window.last("document")["selection"] == "1 point", "a selected point")
     window.click_on("field.outline_tilt")
     window.key("ctrl+a")
     window.type("50")

@@ -119,8 +119,10 @@ void GaussPanel::say(PanelContext& context, const std::string& text, const std::
     const TextColour colour(wrong ? palette().error : palette().dim_text);
     text_in_lines(text);
   }
-  const TextColour dim(palette().dim_text);
-  if (!remedy.empty()) text_in_lines(remedy);
+  if (!remedy.empty()) {
+    const TextColour dim(palette().dim_text);
+    text_in_lines(remedy);
+  }
   ImGui::EndChild();
 }
 

@@ -48,9 +48,16 @@ bool all_selected(const Editor& editor, Has&& has) {
 WhyNot needs_shapeable(const Editor& editor, NeededElements kinds) {
   return [&editor, kinds]() -> Reason {
     if (auto reason = needs_document(editor)()) return reason;
-    for (const auto& [id, elements] : editor.selection.elements())
-      if ((kinds.vertices && !elements.vertices.empty()) || (kinds.edges && !elements.edges.empty()))
-        return {};
+    bool others = false;
+    for (const auto& [id, elements] : editor.selection.elements()) {
+      const Object* object = editor.document().find(id);
+      if (!object ||
+          !((kinds.vertices && !elements.vertices.empty()) || (kinds.edges && !elements.edges.empty())))
+        continue;
+      if (object->polyhedron()) return {};
+      others = true;
+    }
+    if (others) return translatable("Only polyhedra have tensions, creases, corners and pins.");
     if (kinds.vertices && kinds.edges) return translatable("Nothing is selected. Click a vertex or an edge.");
     if (kinds.vertices) return translatable("No vertices are selected. Press 1 and click one.");
     return translatable("No edges are selected. Press 2 and click one.");

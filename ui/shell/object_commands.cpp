@@ -110,6 +110,12 @@ void move_in_order(Editor& editor, bool down) {
   editor.commit(reorder_objects(editor.history.current(), ids, place), "Reorder objects");
 }
 
+WhyNot needs_others(const Editor& editor) {
+  return only_if(
+      needs_object(editor), [&editor] { return editor.document().objects.size() > 1; },
+      translatable("There is no other object."));
+}
+
 void add_visibility_commands(CommandTable& table, Editor& editor, const WhyNot& object) {
   table.add({.id = "object.hide",
              .menu = "Edit",
@@ -129,7 +135,7 @@ void add_visibility_commands(CommandTable& table, Editor& editor, const WhyNot& 
              .keys = "Shift+H",
              .changes_document = true,
              .run = [&editor] { isolate(editor); },
-             .why_not = object,
+             .why_not = needs_others(editor),
              .contexts = Context::object});
   table.add(
       {.id = "object.show_all",
@@ -153,7 +159,7 @@ void add_visibility_commands(CommandTable& table, Editor& editor, const WhyNot& 
              .contexts = Context::object});
 }
 
-void add_order_commands(CommandTable& table, Editor& editor, const WhyNot& object) {
+void add_order_commands(CommandTable& table, Editor& editor) {
   table.add({.id = "object.move_up",
              .menu = "Edit",
              .label = "Move up in the list",
@@ -161,14 +167,14 @@ void add_order_commands(CommandTable& table, Editor& editor, const WhyNot& objec
              .changes_document = true,
              .separator_before = true,
              .run = [&editor] { move_in_order(editor, false); },
-             .why_not = object});
+             .why_not = needs_others(editor)});
   table.add({.id = "object.move_down",
              .menu = "Edit",
              .label = "Move down in the list",
              .help = "One place down in the list of objects.",
              .changes_document = true,
              .run = [&editor] { move_in_order(editor, true); },
-             .why_not = object});
+             .why_not = needs_others(editor)});
 }
 
 }  // namespace
@@ -205,7 +211,7 @@ void add_object_commands(CommandHost& host) {
              .run = [&editor] { delete_chosen(editor); },
              .why_not = object});
   add_visibility_commands(table, editor, object);
-  add_order_commands(table, editor, object);
+  add_order_commands(table, editor);
 }
 
 }  // namespace hariko

@@ -122,15 +122,20 @@ void add_wholes(CommandHost& host) {
                   .separator_before = true,
                   .run = [&editor] { select_all(editor); },
                   .why_not = needs_object(editor)});
-  host.table.add({.id = "select.none",
-                  .menu = "Select",
-                  .label = "None",
-                  .help = "Select nothing.",
-                  .keys = "Ctrl+Shift+A",
-                  .run = [&editor] {
-                    if (editor.mode == ElementMode::object) editor.selection.clear_objects();
-                    editor.selection.clear_elements();
-                  }});
+  host.table.add(
+      {.id = "select.none",
+       .menu = "Select",
+       .label = "None",
+       .help = "Select nothing.",
+       .keys = "Ctrl+Shift+A",
+       .run =
+           [&editor] {
+             if (editor.mode == ElementMode::object) editor.selection.clear_objects();
+             editor.selection.clear_elements();
+           },
+       .why_not = only_if(
+           [&editor] { return !editor.selection.no_elements() || !editor.selection.objects().empty(); },
+           translatable("Nothing is selected."))});
   host.table.add({.id = "select.invert",
                   .menu = "Select",
                   .label = "Invert",

@@ -9,7 +9,7 @@ namespace hariko {
 namespace {
 
 // In heights of the font.
-constexpr float widest_panel = 44, widest_tip = 24, tip_gap = 0.4F;
+constexpr float widest_tip = 24, narrowest_tip = 9, tip_gap = 0.4F;
 
 /// The window whose rows a tip must not cover, with the lists that are open over it.
 ImRect rows_of(const ImGuiWindow& window) {
@@ -26,20 +26,31 @@ ImRect rows_of(const ImGuiWindow& window) {
 void show_tip(const char* text) {
   const ImGuiContext& g = *GImGui;
   if (!*text || g.ActiveId != 0) return;
-  const float unit = ImGui::GetFontSize();
-  const float wrap = widest_tip * unit;
-  const ImVec2 padding = g.Style.WindowPadding;
-  const ImVec2 words = ImGui::CalcTextSize(text, nullptr, false, wrap);
-  const ImVec2 size(words.x + 2 * padding.x, words.y + 2 * padding.y);
+  const float unit = ImGui::GetFontSize(), gap = tip_gap * unit;
+  const ImVec2 padding = g.Style.WindowPadding, screen = g.IO.DisplaySize;
   const ImRect rows = rows_of(*g.CurrentWindow);
-  const ImVec2 screen = g.IO.DisplaySize;
-  if (rows.GetWidth() <= widest_panel * unit) {
+  float wrap = widest_tip * unit;
+  const auto size = [&] {
+    const ImVec2 words = ImGui::CalcTextSize(text, nullptr, false, wrap);
+    return ImVec2(words.x + 2 * padding.x, words.y + 2 * padding.y);
+  };
+  const auto beside = [&](float x) {
     const float y = std::clamp(std::min(ImGui::GetItemRectMin().y, g.IO.MousePos.y), 0.0F,
-                               std::max(0.0F, screen.y - size.y));
-    if (rows.Min.x >= size.x + tip_gap * unit)
-      ImGui::SetNextWindowPos({rows.Min.x - tip_gap * unit - size.x, y});
-    else if (screen.x - rows.Max.x >= size.x + tip_gap * unit)
-      ImGui::SetNextWindowPos({rows.Max.x + tip_gap * unit, y});
+                               std::max(0.0F, screen.y - size().y));
+    ImGui::SetNextWindowPos({x, y});
+  };
+  const float left = rows.Min.x - gap, right = screen.x - rows.Max.x - gap;
+  if (left >= size().x) {
+    beside(left - size().x);
+  } else if (right >= size().x) {
+    beside(rows.Max.x + gap);
+  } else if (const float room = std::max(left, right); room >= narrowest_tip * unit) {
+    wrap = room - 2 * padding.x;
+    beside(left > right ? left - size().x : rows.Max.x + gap);
+  } else {
+    // The rows fill the window: the tip lies over those above, which have been read.
+    const float y = ImGui::GetItemRectMin().y - gap - size().y;
+    if (y >= 0) ImGui::SetNextWindowPos({std::min(g.IO.MousePos.x, screen.x - size().x), y});
   }
   ImGui::BeginTooltip();
   ImGui::PushTextWrapPos(wrap);

@@ -6,9 +6,10 @@
 
 namespace hariko {
 
-/// Shows a text for the last item, already translated; nothing when it is empty. It stands left of a narrow
-/// panel or dialog, right of it where the left has no room, else at the pointer: so it never covers the next
-/// rows. Nothing while a field is typed into or an item is held.
+/// Shows a text for the last item, already translated; nothing when it is empty. It stands left of the panel
+/// or dialog, right of it where the left has no room, narrower where both have little, and above the item
+/// where neither has any: so it never covers the next rows. Nothing while a field is typed into or an item is
+/// held.
 void show_tip(const char* text);
 void show_tip(const std::string& text);
 
