@@ -86,7 +86,8 @@ bool may_be_quiet(const Command& command) {
                                            "shape.copy_tension",
                                            "shape.paste_tension",
                                            "solid.to_polyhedron",
-                                           "skin.to_polyhedron"};
+                                           "skin.to_polyhedron",
+                                           "skin.add_section"};
   return known.contains(command.id) || command.id.starts_with("property.") ||
          (command.checked && command.checked());
 }
