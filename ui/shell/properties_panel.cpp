@@ -288,7 +288,7 @@ void preparation_rows(PanelContext& context, const Objects& objects) {
   if (polyhedra.empty()) return;
   const auto split = common<bool>(
       polyhedra, [](const auto& object) { return object->polyhedron()->preparation.split_concave; });
-  if (const auto on = check_row(context, "split_concave", "Split concave faces",
+  if (const auto on = check_row(context, "split_concave", "Convex faces",
                                 "The surface is made as if concave faces were cut into convex ones", split))
     context.editor.commit(
         edit_preparations(context.editor.history.current(), polyhedra,
@@ -308,7 +308,7 @@ void preparation_rows(PanelContext& context, const Objects& objects) {
   power.standard = 0;
   slider_row(
       context,
-      {"automatic_tension", "Automatic tension",
+      {"automatic_tension", "Auto tension",
        "Stretches short edges and relaxes long ones; at rest while you drag", "Automatic tension", power},
       0, 1, false,
       common<double>(polyhedra,
