@@ -34,7 +34,7 @@ struct KeyPress {
 /// A row of the table. Rows name the members that differ from these values.
 struct Command {
   std::string id = {};  ///< "file.open": stable, for tests and key files
-  /// Where it stands: "File", or "View/Standard views" in a submenu; empty for no menu.
+  /// Menu and submenus: "File", or "View/Standard views"; empty for no menu.
   std::string menu = {};
   std::string label = {};  ///< "Open…"
   std::string help = {};   ///< one sentence

@@ -16,7 +16,7 @@ namespace hariko {
 
 struct ViewSettings;
 
-/// What is drawn and picked of an object over its surface.
+/// Lines of an object, drawn and picked over its surface.
 struct ObjectLines {
   std::shared_ptr<const DisplayPolyhedron> polyhedron;  ///< null: nothing
   std::optional<Polyhedron> attached;  ///< what it shows, where vertices are attached to other objects
@@ -67,8 +67,8 @@ const ObjectKind& solids_kind();
 const ObjectKind& skin_kind();
 const ObjectKind& outline_kind();
 
-/// Where an element is in the world: a vertex or solid, the middle of an edge or face, the box centre of an
-/// object.
+/// Place of an element in the world: that of a vertex or solid, the middle of an edge or face, the box centre
+/// of an object.
 std::optional<Vector3> place_of(const Document& document, const ElementRef& ref);
 
 }  // namespace hariko

@@ -254,8 +254,7 @@ SceneObject SceneBuilder::describe(const Editor& editor, const std::shared_ptr<c
   return out;
 }
 
-/// What is known of the surface that is shown: curves over edges, combs, marks of continuity, its map and its
-/// error.
+/// Describes the surface that is shown: curves over edges, combs, marks of continuity, its map and its error.
 void SceneBuilder::describe_surface(const Editor& editor, const Object& object, const SurfaceView& view,
                                     SceneObject& out) {
   const DisplaySettings display = shown_display(editor.view.map, object);

@@ -30,7 +30,7 @@ bool shows_zebra(const Editor& editor) {
   });
 }
 
-/// What stands over the pictures of the views, from above.
+/// Layers over the pictures of the views, from above.
 std::vector<std::unique_ptr<ViewLayer>> view_layers() {
   std::vector<std::unique_ptr<ViewLayer>> layers;
   layers.push_back(std::make_unique<Gizmo>());
