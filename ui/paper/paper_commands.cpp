@@ -32,7 +32,7 @@ Index piece_to_split(const Editor& editor) {
 }
 
 void show_paper(Editor& editor) {
-  // What is seen as a whole may be the paper, as long as it shows.
+  // Views may frame the paper as a whole while it shows.
   if (editor.paper.shown) change_room_of_views(editor, false);
   editor.paper.shown = !editor.paper.shown;
   editor.paper.wants_framing = true;
