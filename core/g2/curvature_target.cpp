@@ -57,34 +57,40 @@ FormBasis form_basis(const Vector2& point, double radius) {
   return out;
 }
 
-/// Form (11, 12, 22) in the chart's coordinates: L t L^T.
-std::array<double, 3> in_chart(const FramedPoint& p) {
-  const double a = p.l11, b = p.l21, c = p.l22;
-  return {a * a * p.t[0], a * (b * p.t[0] + c * p.t[1]),
-          b * b * p.t[0] + 2 * b * c * p.t[1] + c * c * p.t[2]};
+/// Product m f m of symmetric matrices.
+SymmetricMatrix2 congruent(const SymmetricMatrix2& m, const SymmetricMatrix2& f) {
+  return {m[0] * m[0] * f[0] + 2 * m[0] * m[1] * f[1] + m[1] * m[1] * f[2],
+          m[0] * m[1] * f[0] + (m[0] * m[2] + m[1] * m[1]) * f[1] + m[1] * m[2] * f[2],
+          m[1] * m[1] * f[0] + 2 * m[1] * m[2] * f[1] + m[2] * m[2] * f[2]};
+}
+
+/// Form in the chart's coordinates: L t L.
+SymmetricMatrix2 in_chart(const FramedPoint& p) {
+  return congruent(p.root, p.t);
 }
 
 /// Rows (11, sqrt(2) 12, 22) of second covariant derivatives in the orthonormal frame, times the root of the
 /// area element.
 struct CovariantRows {
-  double a, b, c, root;
+  SymmetricMatrix2 m;  // inverse of L
+  double root;
   Eigen::Vector2d gxx, gxy, gyy;
 
   CovariantRows(const ReferencePoint& s, const FramedPoint& p)
-      : a(1 / p.l11), b(-p.l21 / (p.l11 * p.l22)), c(1 / p.l22), root(std::sqrt(p.l11 * p.l22)) {
-    // Inverse metric L^-T L^-1.
-    Eigen::Matrix2d inverse;
-    inverse << a * a + b * b, b * c, b * c, c * c;
+      : m(p.inverse_root()), root(std::sqrt(p.area)) {
+    Eigen::Matrix2d inverse;  // of the metric
+    inverse << m[0] * m[0] + m[1] * m[1], m[1] * (m[0] + m[2]), m[1] * (m[0] + m[2]),
+        m[1] * m[1] + m[2] * m[2];
     const auto christoffel = [&](const Vector3& second) -> Eigen::Vector2d {
       return inverse * Eigen::Vector2d(second.dot(s.x), second.dot(s.y));
     };
     gxx = christoffel(s.xx), gxy = christoffel(s.xy), gyy = christoffel(s.yy);
   }
   Eigen::Vector3d operator()(const Jet2& f) const {
-    const double xx = f.xx - gxx[0] * f.x - gxx[1] * f.y, xy = f.xy - gxy[0] * f.x - gxy[1] * f.y;
-    const double yy = f.yy - gyy[0] * f.x - gyy[1] * f.y;
-    return {root * (a * a * xx), root * std::numbers::sqrt2 * a * (b * xx + c * xy),
-            root * (b * b * xx + 2 * b * c * xy + c * c * yy)};
+    const SymmetricMatrix2 rows =
+        congruent(m, {f.xx - gxx[0] * f.x - gxx[1] * f.y, f.xy - gxy[0] * f.x - gxy[1] * f.y,
+                      f.yy - gyy[0] * f.x - gyy[1] * f.y});
+    return {root * rows[0], root * std::numbers::sqrt2 * rows[1], root * rows[2]};
   }
 };
 
@@ -104,14 +110,12 @@ FramedFace framed(const ChartSamples& samples, const FaceReference& reference) {
       FramedPoint p;
       const double floor = least_metric * mean, g11 = s.x.squaredNorm() + floor, g12 = s.x.dot(s.y),
                    g22 = s.y.squaredNorm() + floor;
-      p.l11 = std::sqrt(g11);
-      p.l21 = g12 / p.l11;
-      p.l22 = std::sqrt(g22 - p.l21 * p.l21);
+      p.area = std::sqrt(g11 * g22 - g12 * g12);
+      const double trace = std::sqrt(g11 + g22 + 2 * p.area);  // of L
+      p.root = {(g11 + p.area) / trace, g12 / trace, (g22 + p.area) / trace};
       p.normal = s.x.cross(s.y).stableNormalized();
       if (!p.normal.allFinite()) p.normal.setZero();
-      const double h11 = s.xx.dot(p.normal), h12 = s.xy.dot(p.normal), h22 = s.yy.dot(p.normal);
-      const double a = 1 / p.l11, b = -p.l21 / (p.l11 * p.l22), c = 1 / p.l22;
-      p.t = {a * a * h11, a * (b * h11 + c * h12), b * b * h11 + 2 * b * c * h12 + c * c * h22};
+      p.t = congruent(p.inverse_root(), {s.xx.dot(p.normal), s.xy.dot(p.normal), s.yy.dot(p.normal)});
       own.push_back(p);
     }
   }
@@ -125,7 +129,8 @@ void smooth_forms(const ChartSamples& samples, double width, FramedFace& face) {
   for_points(samples, [&](std::size_t side, std::size_t i, const ChartPoint& point) {
     const FramedPoint& p = face[side][i];
     Eigen::Matrix2d g;
-    g << p.l11 * p.l11, p.l11 * p.l21, p.l11 * p.l21, p.l21 * p.l21 + p.l22 * p.l22;
+    const auto& [l11, l12, l22] = p.root;
+    g << l11 * l11 + l12 * l12, l12 * (l11 + l22), l12 * (l11 + l22), l12 * l12 + l22 * l22;
     mean += point.weight / chart.area() * g;
     ++count;
   });
@@ -137,13 +142,13 @@ void smooth_forms(const ChartSamples& samples, double width, FramedFace& face) {
   for_points(samples, [&](std::size_t side, std::size_t i, const ChartPoint& point) {
     const FramedPoint& p = face[side][i];
     const FormBasis f = form_basis(point.point, chart.radius());
-    const double weight = std::sqrt(point.weight * p.l11 * p.l22), bent = length * weight;
-    const double a = 1 / p.l11, b = -p.l21 / (p.l11 * p.l22), c = 1 / p.l22;
+    const double weight = std::sqrt(point.weight * p.area), bent = length * weight;
+    const SymmetricMatrix2 m = p.inverse_root();
     for (int k = 0; k < form_terms; ++k) {
       const auto term = static_cast<std::size_t>(k);
       rows(at, k) = weight * f.v[term];
-      rows(at + 1, k) = bent * (a * f.x[term]);
-      rows(at + 2, k) = bent * (b * f.x[term] + c * f.y[term]);
+      rows(at + 1, k) = bent * (m[0] * f.x[term] + m[1] * f.y[term]);
+      rows(at + 2, k) = bent * (m[1] * f.x[term] + m[2] * f.y[term]);
     }
     for (int i3 = 0; i3 < 3; ++i3) {
       rows(at, form_terms + i3) = weight * p.t[std::size_t(i3)];
@@ -206,7 +211,7 @@ std::vector<Vector3> metric_load(const ChartSamples& samples, const FaceReferenc
                              std::span<const Jet2> basis, std::span<const int> active) {
     const FramedPoint& p = smooth[side][i];
     const CovariantRows covariant(reference[side][i], p);
-    const double weight = point.weight * std::sqrt(p.l11 * p.l22);
+    const double weight = point.weight * std::sqrt(p.area);
     const Eigen::Vector3d form(p.t[0], std::numbers::sqrt2 * p.t[1], p.t[2]);
     for (std::size_t k = 0; k < active.size(); ++k)
       out[std::size_t(active[k])] += weight * form.dot(covariant(basis[k])) * p.normal;

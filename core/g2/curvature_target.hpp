@@ -9,11 +9,19 @@
 
 namespace hariko {
 
-/// Second fundamental form of the reference and its metric, at one point.
+/// Symmetric 2x2 matrix: 11, 12, 22.
+using SymmetricMatrix2 = std::array<double, 3>;
+
+/// Second fundamental form of the reference and its metric, at one point. The orthonormal frame is that of
+/// the metric's symmetric root L, g = L L: it turns with the chart, so that nothing depends on the corner
+/// that the chart begins with.
 struct FramedPoint {
-  Vector3 normal;           ///< unit; zero where the reference has none
-  double l11, l21, l22;     ///< g = L L^T in the chart's coordinates
-  std::array<double, 3> t;  ///< (11, 12, 22) in the orthonormal frame of L
+  Vector3 normal;         ///< unit; zero where the reference has none
+  SymmetricMatrix2 root;  ///< L in the chart's coordinates
+  double area;            ///< area element, det L
+  SymmetricMatrix2 t;     ///< the form in the orthonormal frame
+  /// Inverse of L.
+  SymmetricMatrix2 inverse_root() const { return {root[2] / area, -root[1] / area, root[0] / area}; }
 };
 using FramedFace = std::vector<std::vector<FramedPoint>>;
 
