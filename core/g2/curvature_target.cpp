@@ -57,6 +57,16 @@ FormBasis form_basis(const Vector2& point, double radius) {
   return out;
 }
 
+/// Coefficients of polynomials in the least-squares sense. `rows`: the terms at each point, then the values.
+Eigen::MatrixXd fitted(const Eigen::MatrixXd& rows, int values) {
+  const Eigen::MatrixXd gram = Eigen::MatrixXd(lower_gram_matrix(rows).selfadjointView<Eigen::Lower>());
+  Eigen::MatrixXd matrix = gram.topLeftCorner(form_terms, form_terms);
+  matrix.diagonal().array() += 1e-10 * matrix.trace() / form_terms;
+  const auto solved = solve_definite(matrix, Eigen::MatrixXd(gram.topRightCorner(form_terms, values)));
+  HARIKO_ASSERT(solved, "the fit of polynomials is positive definite");
+  return *solved;
+}
+
 /// Product m f m of symmetric matrices.
 SymmetricMatrix2 congruent(const SymmetricMatrix2& m, const SymmetricMatrix2& f) {
   return {m[0] * m[0] * f[0] + 2 * m[0] * m[1] * f[1] + m[1] * m[1] * f[2],
@@ -69,27 +79,87 @@ SymmetricMatrix2 in_chart(const FramedPoint& p) {
   return congruent(p.root, p.t);
 }
 
+/// Christoffel symbols of the reference: tangential parts of its second derivatives xx, xy, yy, as
+/// combinations of its first ones.
+using Christoffel = std::array<Eigen::Vector2d, 3>;
+Christoffel christoffel(const ReferencePoint& s, const FramedPoint& p) {
+  const SymmetricMatrix2 m = p.inverse_root();
+  Eigen::Matrix2d inverse;  // of the metric
+  inverse << m[0] * m[0] + m[1] * m[1], m[1] * (m[0] + m[2]), m[1] * (m[0] + m[2]), m[1] * m[1] + m[2] * m[2];
+  const auto of = [&](const Vector3& second) -> Eigen::Vector2d {
+    return inverse * Eigen::Vector2d(second.dot(s.x), second.dot(s.y));
+  };
+  return {of(s.xx), of(s.xy), of(s.yy)};
+}
+
+/// Second derivatives (xx, xy, yy) of the target: the tangential part of the reference's, with the smoothed
+/// form.
+std::array<Vector3, 3> second_derivatives(const ReferencePoint& s, const FramedPoint& own,
+                                          const FramedPoint& smooth) {
+  const SymmetricMatrix2 h = in_chart(own), smoothed = in_chart(smooth);
+  return {s.xx - (h[0] - smoothed[0]) * own.normal, s.xy - (h[1] - smoothed[1]) * own.normal,
+          s.yy - (h[2] - smoothed[2]) * own.normal};
+}
+
+/// Coefficients of the polynomials of degree four nearest to the target's second derivatives: one row per
+/// term, three columns for each of xx, xy, yy.
+Eigen::MatrixXd fitted_second_derivatives(const ChartSamples& samples, const FaceReference& reference,
+                                          const FramedFace& own, const FramedFace& smooth) {
+  std::size_t count = 0;
+  for_points(samples, [&](std::size_t, std::size_t, const ChartPoint&) { ++count; });
+  Eigen::MatrixXd rows(Eigen::Index(count), form_terms + 9);
+  Eigen::Index at = 0;
+  for_points(samples, [&](std::size_t side, std::size_t i, const ChartPoint& point) {
+    const double weight = std::sqrt(point.weight);
+    const FormBasis f = form_basis(point.point, samples.chart().radius());
+    for (int k = 0; k < form_terms; ++k) rows(at, k) = weight * f.v[std::size_t(k)];
+    const auto second = second_derivatives(reference[side][i], own[side][i], smooth[side][i]);
+    for (int c = 0; c < 3; ++c)
+      rows.block<1, 3>(at, form_terms + 3 * c) = weight * second[std::size_t(c)].transpose();
+    ++at;
+  });
+  return fitted(rows, 9);
+}
+
+/// Third derivatives (xxx, xxy, xyy, yyy) of the target. Along the surface they are those of the fitted
+/// second derivatives; across it, those with which the smoothed form is parallel: its covariant derivative,
+/// the change of curvature, is zero.
+using ThirdDerivatives = std::array<Vector3, 4>;
+ThirdDerivatives third_derivatives(const Eigen::MatrixXd& fit, const FormBasis& f, const Christoffel& g,
+                                   const FramedPoint& smooth) {
+  Eigen::Matrix<double, 1, 9> by_x = Eigen::Matrix<double, 1, 9>::Zero(), by_y = by_x;
+  for (int k = 0; k < form_terms; ++k) {
+    by_x += f.x[std::size_t(k)] * fit.row(k);
+    by_y += f.y[std::size_t(k)] * fit.row(k);
+  }
+  const auto part = [](const Eigen::Matrix<double, 1, 9>& of, int which) -> Vector3 {
+    return of.segment<3>(3 * which).transpose();
+  };
+  ThirdDerivatives out{part(by_x, 0), (part(by_y, 0) + 2 * part(by_x, 1)) / 3,
+                       (part(by_x, 2) + 2 * part(by_y, 1)) / 3, part(by_y, 2)};
+  const SymmetricMatrix2 h = in_chart(smooth);
+  const auto turned = [&](int ab, int c) {  // Gamma^k_ab h_kc
+    return g[std::size_t(ab)][0] * h[std::size_t(c)] + g[std::size_t(ab)][1] * h[std::size_t(c + 1)];
+  };
+  const std::array<double, 4> across{3 * turned(0, 0), turned(0, 1) + 2 * turned(1, 0),
+                                     turned(2, 0) + 2 * turned(1, 1), 3 * turned(2, 1)};
+  for (std::size_t c = 0; c < 4; ++c) out[c] += (across[c] - out[c].dot(smooth.normal)) * smooth.normal;
+  return out;
+}
+
 /// Rows (11, sqrt(2) 12, 22) of second covariant derivatives in the orthonormal frame, times the root of the
 /// area element.
 struct CovariantRows {
   SymmetricMatrix2 m;  // inverse of L
   double root;
-  Eigen::Vector2d gxx, gxy, gyy;
+  Christoffel g;
 
   CovariantRows(const ReferencePoint& s, const FramedPoint& p)
-      : m(p.inverse_root()), root(std::sqrt(p.area)) {
-    Eigen::Matrix2d inverse;  // of the metric
-    inverse << m[0] * m[0] + m[1] * m[1], m[1] * (m[0] + m[2]), m[1] * (m[0] + m[2]),
-        m[1] * m[1] + m[2] * m[2];
-    const auto christoffel = [&](const Vector3& second) -> Eigen::Vector2d {
-      return inverse * Eigen::Vector2d(second.dot(s.x), second.dot(s.y));
-    };
-    gxx = christoffel(s.xx), gxy = christoffel(s.xy), gyy = christoffel(s.yy);
-  }
-  Eigen::Vector3d operator()(const Jet2& f) const {
+      : m(p.inverse_root()), root(std::sqrt(p.area)), g(christoffel(s, p)) {}
+  Eigen::Vector3d operator()(const Jet3& f) const {
     const SymmetricMatrix2 rows =
-        congruent(m, {f.xx - gxx[0] * f.x - gxx[1] * f.y, f.xy - gxy[0] * f.x - gxy[1] * f.y,
-                      f.yy - gyy[0] * f.x - gyy[1] * f.y});
+        congruent(m, {f.xx - g[0][0] * f.x - g[0][1] * f.y, f.xy - g[1][0] * f.x - g[1][1] * f.y,
+                      f.yy - g[2][0] * f.x - g[2][1] * f.y});
     return {root * rows[0], root * std::numbers::sqrt2 * rows[1], root * rows[2]};
   }
 };
@@ -156,16 +226,12 @@ void smooth_forms(const ChartSamples& samples, double width, FramedFace& face) {
     }
     at += 3;
   });
-  const Eigen::MatrixXd gram = Eigen::MatrixXd(lower_gram_matrix(rows).selfadjointView<Eigen::Lower>());
-  Eigen::MatrixXd matrix = gram.topLeftCorner(form_terms, form_terms);
-  matrix.diagonal().array() += 1e-10 * matrix.trace() / form_terms;
-  const auto solved = solve_definite(matrix, Eigen::MatrixXd(gram.topRightCorner(form_terms, 3)));
-  HARIKO_ASSERT(solved, "the fit of a form is positive definite");
+  const Eigen::MatrixXd solved = fitted(rows, 3);
   for_points(samples, [&](std::size_t side, std::size_t i, const ChartPoint& point) {
     const FormBasis f = form_basis(point.point, chart.radius());
     for (int i3 = 0; i3 < 3; ++i3) {
       double sum = 0;
-      for (int k = 0; k < form_terms; ++k) sum += f.v[std::size_t(k)] * (*solved)(k, i3);
+      for (int k = 0; k < form_terms; ++k) sum += f.v[std::size_t(k)] * solved(k, i3);
       face[side][i].t[std::size_t(i3)] = sum;
     }
   });
@@ -178,15 +244,13 @@ std::vector<Vector3> chart_load(const ChartSamples& samples, const FaceReference
   const Eigen::Matrix3d change = second_order_change(measure);
   const Eigen::Matrix3d square = measure.weight * (change.transpose() * change);
   for_functions(samples, [&](std::size_t side, std::size_t i, const ChartPoint& point,
-                             std::span<const Jet2> basis, std::span<const int> active) {
-    const ReferencePoint& s = reference[side][i];
-    const FramedPoint& p = own[side][i];
-    const auto h = in_chart(p), smoothed = in_chart(smooth[side][i]);
+                             std::span<const Jet3> basis, std::span<const int> active) {
+    const auto second = second_derivatives(reference[side][i], own[side][i], smooth[side][i]);
     const double weight = share * point.weight;
     Eigen::Matrix3d target;
-    target.row(0) = weight * (s.xx - (h[0] - smoothed[0]) * p.normal);
-    target.row(1) = weight * std::numbers::sqrt2 * (s.xy - (h[1] - smoothed[1]) * p.normal);
-    target.row(2) = weight * (s.yy - (h[2] - smoothed[2]) * p.normal);
+    target.row(0) = weight * second[0];
+    target.row(1) = weight * std::numbers::sqrt2 * second[1];
+    target.row(2) = weight * second[2];
     const Eigen::Matrix3d load = (square * target).transpose();
     for (std::size_t k = 0; k < active.size(); ++k)
       out[std::size_t(active[k])] +=
@@ -195,9 +259,31 @@ std::vector<Vector3> chart_load(const ChartSamples& samples, const FaceReference
   return out;
 }
 
+std::vector<Vector3> third_load(const ChartSamples& samples, const FaceReference& reference,
+                                const FramedFace& own, const FramedFace& smooth, double third,
+                                const ChartMeasure& measure) {
+  std::vector<Vector3> out(std::size_t(samples.chart().control_count()), Vector3::Zero());
+  const Eigen::MatrixXd fit = fitted_second_derivatives(samples, reference, own, smooth);
+  const Eigen::Matrix4d change = third_order_change(measure);
+  const Eigen::Matrix4d square = third * measure.thinness() * measure.weight * (change.transpose() * change);
+  for_functions(samples, [&](std::size_t side, std::size_t i, const ChartPoint& point,
+                             std::span<const Jet3> basis, std::span<const int> active) {
+    const auto target = third_derivatives(fit, form_basis(point.point, samples.chart().radius()),
+                                          christoffel(reference[side][i], own[side][i]), smooth[side][i]);
+    Eigen::Matrix<double, 4, 3> rows;
+    for (int c = 0; c < 4; ++c)
+      rows.row(c) = point.weight * (c == 1 || c == 2 ? std::numbers::sqrt3 : 1) * target[std::size_t(c)];
+    const Eigen::Matrix<double, 3, 4> load = (square * rows).transpose();
+    for (std::size_t k = 0; k < active.size(); ++k)
+      out[std::size_t(active[k])] += load * Eigen::Vector4d(basis[k].xxx, std::numbers::sqrt3 * basis[k].xxy,
+                                                            std::numbers::sqrt3 * basis[k].xyy, basis[k].yyy);
+  });
+  return out;
+}
+
 Eigen::MatrixXd metric_plate(const ChartSamples& samples, const FaceReference& reference,
                              const FramedFace& frames) {
-  return bending_matrix(samples, [&](int side, std::size_t point, std::span<const Jet2> basis, auto rows) {
+  return bending_matrix(samples, [&](int side, std::size_t point, std::span<const Jet3> basis, auto rows) {
     const auto at = static_cast<std::size_t>(side);
     const CovariantRows covariant(reference[at][point], frames[at][point]);
     for (std::size_t k = 0; k < basis.size(); ++k) rows.col(Eigen::Index(k)) = covariant(basis[k]);
@@ -208,7 +294,7 @@ std::vector<Vector3> metric_load(const ChartSamples& samples, const FaceReferenc
                                  const FramedFace& smooth) {
   std::vector<Vector3> out(std::size_t(samples.chart().control_count()), Vector3::Zero());
   for_functions(samples, [&](std::size_t side, std::size_t i, const ChartPoint& point,
-                             std::span<const Jet2> basis, std::span<const int> active) {
+                             std::span<const Jet3> basis, std::span<const int> active) {
     const FramedPoint& p = smooth[side][i];
     const CovariantRows covariant(reference[side][i], p);
     const double weight = point.weight * std::sqrt(p.area);

@@ -40,6 +40,13 @@ std::vector<Vector3> chart_load(const ChartSamples& samples, const FaceReference
                                 const FramedFace& own, const FramedFace& smooth, double share,
                                 const ChartMeasure& measure);
 
+/// Load of the target's third derivatives, in the same form. Along the surface they are the reference's:
+/// without them, faces would be drawn to charts without any distortion, which thin faces beside wide ones
+/// cannot have. Across it, the forms of `smooth` do not change.
+std::vector<Vector3> third_load(const ChartSamples& samples, const FaceReference& reference,
+                                const FramedFace& own, const FramedFace& smooth, double third,
+                                const ChartMeasure& measure);
+
 /// Bending matrix over the reference itself, the integral of squared second covariant derivatives;
 /// `metric_load` is the corresponding load of the forms of `smooth`.
 Eigen::MatrixXd metric_plate(const ChartSamples& samples, const FaceReference& reference,

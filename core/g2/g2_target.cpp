@@ -72,7 +72,7 @@ G2Target curvature_target(const G2Layout& layout, const FaceElements& elements,
   G2Target out(layout.mesh().face_count());
   std::vector<Index> faces(layout.mesh().face_count());
   std::iota(faces.begin(), faces.end(), Index(0));
-  for_faces_by_chart<Jet2>(layout, std::move(faces), [&](Index f, const ChartSamples& samples) {
+  for_faces_by_chart(layout, std::move(faces), [&](Index f, const ChartSamples& samples) {
     const ControlPlaces& places = layout.places(f);
     out[f].load.assign(places.unknown.size(), Vector3::Zero());
     out[f].centre.assign(places.centre.size(), Vector3::Zero());
@@ -87,6 +87,12 @@ G2Target curvature_target(const G2Layout& layout, const FaceElements& elements,
     const double over = elements.over_reference(f);
     std::vector<Vector3> load =
         chart_load(samples, reference, own, smooth, (1 - over) * share, elements.weights(f).measure);
+    // In equal frames the reference's second derivatives are too rough for it.
+    if (layout.frames().charts.frames == Frames::metric) {
+      const std::vector<Vector3> third = third_load(
+          samples, reference, own, smooth, (1 - over) * elements.third(), elements.weights(f).measure);
+      for (std::size_t i = 0; i < load.size(); ++i) load[i] += third[i];
+    }
     if (over > 0) {
       const std::vector<Vector3> more = metric_load(samples, reference, smooth);
       for (std::size_t i = 0; i < load.size(); ++i) load[i] += over * elements.reference_scale() * more[i];

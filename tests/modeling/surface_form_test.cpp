@@ -327,6 +327,19 @@ TEST(SurfaceForm, LoopCutsOfACubeKeepItAtEveryPlace) {
   }
 }
 
+/// Thin faces beside wide ones: they bend thousands of times more where third derivatives are drawn to zero.
+TEST(SurfaceForm, LoopCutsInModeG2KeepACube) {
+  PolyhedronSource source = box_of({2, 2, 2});
+  source.mode = Mode::g2;
+  const SurfaceForm form = SurfaceForm::of(source).value();
+  const Shape before(source);
+  for (const double at : {0.05, 0.1, 0.2, 0.35, 0.5, 0.8, 0.95}) {
+    const Shape now(loop_cut(source, source.polyhedron.edge_id(0), {.slide = 2 * at - 1}, &form)->source);
+    EXPECT_LT(distance(before, now), 0.014) << at;
+    EXPECT_NEAR(now.bending / before.bending, 1, 0.1) << at;
+  }
+}
+
 /// The loop ends on sides of faces with many sides, at first beside a corner: there the two tangents of the
 /// side all but cancel in the split tangent.
 TEST(SurfaceForm, LoopsThatEndOnSidesOfFacesKeepTheForm) {

@@ -288,8 +288,10 @@ TEST(G2Properties, FacesHaveThreeTo128Sides) {
       const auto result = surfacer.rebuild(input_of(polyhedron, {}, frames));
       EXPECT_EQ(result.ok(), sides <= int(largest_fair_side_count));
       if (result.ok())
-        // Rounding of the many controls of a face: 1e-7 and 7e-11 radians were seen at 64 and 128 sides.
-        expect_continuous(*result, size_of(polyhedron), sides > 32 ? 2e-7 : 2e-8, sides > 32 ? 1e-10 : 1e-11);
+        // Rounding of the many controls of a face: 1e-7, and few points up to 8e-7, and 7e-11 radians were
+        // seen at 64 and 128 sides.
+        expect_continuous(*result, size_of(polyhedron), sides > 32 ? 2.5e-7 : 2e-8,
+                          sides > 32 ? 1e-10 : 1e-11);
       else
         EXPECT_EQ(result.error().code.name, e_too_many_sides.name);
     }

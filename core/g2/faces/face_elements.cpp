@@ -38,7 +38,7 @@ FaceElements::FaceElements(const G2Layout& layout, const TensionWeights& weights
     same_as[f] = known.try_emplace({layout.placed(f).get(), weights_[f]}, f).first->second;
     if (same_as[f] == f) fresh.push_back(f);
   }
-  for_faces_by_chart<Jet3>(layout, fresh, [&](Index f, const SamplesOf<Jet3>& samples) {
+  for_faces_by_chart(layout, fresh, [&](Index f, const ChartSamples& samples) {
     element_[f] =
         std::make_shared<const CondensedFace>(condense(layout.places(f), chart_energy(layout, f, samples)));
   });
@@ -46,7 +46,7 @@ FaceElements::FaceElements(const G2Layout& layout, const TensionWeights& weights
 }
 
 Eigen::MatrixXd FaceElements::chart_energy(const G2Layout& layout, Index face,
-                                           const SamplesOf<Jet3>& samples) const {
+                                           const ChartSamples& samples) const {
   const FaceWeights& weights = weights_[face];
   Eigen::MatrixXd energy = plate_matrix(samples, third_, weights.measure);
   if (weights.plate != 1) energy *= weights.plate;
@@ -63,21 +63,20 @@ bool FaceElements::bend_over(const G2Layout& layout, const FaceReferences& refer
   if (tense.empty()) return false;
   std::iota(all.begin(), all.end(), Index(0));
   std::vector<double> area(faces);
-  for_faces_by_chart<Jet2>(layout, std::move(all), [&](Index f, const ChartSamples& samples) {
+  for_faces_by_chart(layout, std::move(all), [&](Index f, const ChartSamples& samples) {
     area[f] = area_of(samples, references(f, samples));
   });
   const double surface = std::accumulate(area.begin(), area.end(), 0.0);
   double charts = 0;
   for (Index f = 0; f < faces; ++f) charts += layout.chart(f).area();
   reference_scale_ = surface > 0 ? surface / charts : 1;
-  for_faces_by_chart<Jet3>(layout, std::move(tense), [&](Index f, const SamplesOf<Jet3>& samples) {
-    const ChartSamples second_order(layout.chart(f));
-    const FaceReference reference = references(f, second_order);
-    const FramedFace frames = framed(second_order, reference);
+  for_faces_by_chart(layout, std::move(tense), [&](Index f, const ChartSamples& samples) {
+    const FaceReference reference = references(f, samples);
+    const FramedFace frames = framed(samples, reference);
     weights_[f].plate = frames.empty() ? 1 : 1 - over_reference_[f];
     Eigen::MatrixXd energy = chart_energy(layout, f, samples);
     if (!frames.empty())
-      energy += over_reference_[f] * reference_scale_ * metric_plate(second_order, reference, frames);
+      energy += over_reference_[f] * reference_scale_ * metric_plate(samples, reference, frames);
     element_[f] = std::make_shared<const CondensedFace>(condense(layout.places(f), energy));
   });
   return true;

@@ -21,7 +21,7 @@ using FaceReferences = std::function<FaceReference(Index face, const ChartSample
 
 /// Calls body(face, samples) for faces in the order of their charts, so that a chart's functions are computed
 /// once per task.
-template <class Jet, class Body>
+template <class Body>
 void for_faces_by_chart(const G2Layout& layout, std::vector<Index> faces, const Body& body) {
   constexpr std::size_t grain = 16;
   std::map<const PlacedChart*, Index> first;
@@ -30,7 +30,7 @@ void for_faces_by_chart(const G2Layout& layout, std::vector<Index> faces, const 
     return first.at(layout.placed(a).get()) < first.at(layout.placed(b).get());
   });
   parallel_for(faces.size(), grain, [&](std::size_t begin, std::size_t end) {
-    std::optional<SamplesOf<Jet>> samples;
+    std::optional<ChartSamples> samples;
     for (std::size_t k = begin; k < end; ++k) {
       const FaceChart& chart = layout.chart(faces[k]);
       if (!samples || &samples->chart() != &chart) samples.emplace(chart);
@@ -49,6 +49,7 @@ class FaceElements {
   /// Share of a face's bending that is measured over the reference, and the scale from there to the charts.
   double over_reference(Index face) const { return over_reference_[face]; }
   double reference_scale() const { return reference_scale_; }
+  double third() const { return third_; }  ///< weight of third derivatives
 
   /// Measures part of the bending over this surface in faces whose vertices have tension. False where there
   /// are no such faces.
@@ -60,9 +61,9 @@ class FaceElements {
   std::size_t bytes() const;
 
  private:
-  Eigen::MatrixXd chart_energy(const G2Layout& layout, Index face, const SamplesOf<Jet3>& samples) const;
+  Eigen::MatrixXd chart_energy(const G2Layout& layout, Index face, const ChartSamples& samples) const;
 
-  double third_;                        ///< weight of third derivatives
+  double third_;
   std::vector<FaceWeights> weights_;    ///< per face
   std::vector<double> over_reference_;  ///< per face
   double reference_scale_ = 1;

@@ -1,5 +1,6 @@
 #include "core/g2/faces/face_energy.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <tuple>
@@ -17,8 +18,8 @@ constexpr int curve_points = 6;
 constexpr int most_held_sides = 12;
 
 /// Integral of rows^T rows over a face; rows(side, point, basis, out) computes the rows of one point.
-template <int RowCount, class Jet, class Rows>
-Eigen::MatrixXd integrate(const SamplesOf<Jet>& samples, const Rows& rows) {
+template <int RowCount, class Rows>
+Eigen::MatrixXd integrate(const ChartSamples& samples, const Rows& rows) {
   const FaceChart& chart = samples.chart();
   Eigen::MatrixXd out = Eigen::MatrixXd::Zero(chart.control_count(), chart.control_count());
   Eigen::MatrixXd all, square;
@@ -148,25 +149,27 @@ ControlPlaces::ControlPlaces(const FaceChart& chart) {
   for (int i = chart.first_centre_control(); i < chart.first_departure_control(); ++i) centre.push_back(i);
 }
 
-template <class Jet>
-SamplesOf<Jet>::SamplesOf(const FaceChart& of) : chart_(&of) {
+ChartSamples::ChartSamples(const FaceChart& of) : chart_(&of) {
   for (int side = 0; side < of.sides(); ++side) points_.push_back(chart_quadrature(of, side));
   if (of.sides() > most_held_sides) return;
   for (int side = 0; side < of.sides(); ++side) basis_.push_back(make(side));
 }
 
-template <class Jet>
-typename SamplesOf<Jet>::Basis SamplesOf<Jet>::make(int side) const {
+ChartSamples::Basis ChartSamples::make(int side) const {
   Basis out;
   out.width = chart_->active_controls(side).size();
   out.value.resize(out.width * points(side).size());
-  FaceChart::Room<Jet> room;
+  FaceChart::Room<Jet3> room;
   for (std::size_t i = 0; i < points(side).size(); ++i)
     chart_->basis(side, points(side)[i].point, std::span(out.value).subspan(i * out.width, out.width), room);
   return out;
 }
-template class SamplesOf<Jet2>;
-template class SamplesOf<Jet3>;
+
+double ChartMeasure::thinness() const {
+  // The smaller of the squared singular values, whose product is 1.
+  const double sum = inverse.squaredNorm();
+  return 2 / (sum + std::sqrt(std::max(sum * sum - 4, 0.0)));
+}
 
 Eigen::MatrixXd bending_matrix(const ChartSamples& samples, const BendingRows& rows) {
   return integrate<3>(samples, rows);
@@ -181,9 +184,6 @@ Eigen::Matrix3d second_order_change(const ChartMeasure& measure) {
   return out;
 }
 
-namespace {
-
-/// Change of (xxx, sqrt(3) xxy, sqrt(3) xyy, yyy) from the chart's coordinates to the measure's.
 Eigen::Matrix4d third_order_change(const ChartMeasure& measure) {
   const Eigen::Matrix2d& b = measure.inverse;
   const double root = std::numbers::sqrt3;
@@ -196,11 +196,9 @@ Eigen::Matrix4d third_order_change(const ChartMeasure& measure) {
   return out;
 }
 
-}  // namespace
-
-Eigen::MatrixXd plate_matrix(const SamplesOf<Jet3>& samples, double third, const ChartMeasure& measure) {
+Eigen::MatrixXd plate_matrix(const ChartSamples& samples, double third, const ChartMeasure& measure) {
   const Eigen::Matrix3d second = second_order_change(measure);
-  const Eigen::Matrix4d change = std::sqrt(third) * third_order_change(measure);
+  const Eigen::Matrix4d change = std::sqrt(third * measure.thinness()) * third_order_change(measure);
   const Eigen::MatrixXd out = integrate<7>(samples, [&](int, std::size_t, std::span<const Jet3> basis,
                                                         auto& rows) {
     for (std::size_t k = 0; k < basis.size(); ++k) {
@@ -214,7 +212,7 @@ Eigen::MatrixXd plate_matrix(const SamplesOf<Jet3>& samples, double third, const
   return measure.weight * out;
 }
 
-Eigen::MatrixXd membrane_matrix(const SamplesOf<Jet3>& samples, const ChartMeasure& measure) {
+Eigen::MatrixXd membrane_matrix(const ChartSamples& samples, const ChartMeasure& measure) {
   const Eigen::Matrix2d change = measure.inverse.transpose();
   const Eigen::MatrixXd out =
       integrate<2>(samples, [&](int, std::size_t, std::span<const Jet3> basis, auto& rows) {

@@ -45,18 +45,17 @@ struct ControlPlaces {
 
 /// Quadrature of a chart with the basis functions at its points. For faces with many sides the functions are
 /// recomputed at each use, since they are large.
-template <class Jet>
-class SamplesOf {
+class ChartSamples {
  public:
   struct Basis {
-    std::vector<Jet> value;  ///< per point: one function per active control
+    std::vector<Jet3> value;  ///< per point: one function per active control
     std::size_t width = 0;
-    std::span<const Jet> at(std::size_t point) const {
+    std::span<const Jet3> at(std::size_t point) const {
       return std::span(value).subspan(point * width, width);
     }
   };
 
-  explicit SamplesOf(const FaceChart& of);
+  explicit ChartSamples(const FaceChart& of);
 
   const FaceChart& chart() const { return *chart_; }
   int sides() const { return chart_->sides(); }
@@ -77,28 +76,33 @@ class SamplesOf {
   std::vector<std::vector<ChartPoint>> points_;
   std::vector<Basis> basis_;
 };
-using ChartSamples = SamplesOf<Jet2>;
 
 /// Metric in which a chart is measured: derivatives are taken by the coordinates of an affine image of the
 /// chart with the same area. Identity: the regular polygon.
 struct ChartMeasure {
   Eigen::Matrix2d inverse = Eigen::Matrix2d::Identity();
   double weight = 1;
+  /// Width of the affine image over its length: 1 for the regular polygon. Third derivatives are measured by
+  /// the image's mean extent, so across a thin face they would outweigh the second ones by the reciprocal.
+  double thinness() const;
 };
 
 /// Rows of an energy at a point (its number in the quadrature of the side), from the derivatives of the
 /// triangle's functions; the energy sums their squares.
-using BendingRows = std::function<void(int side, std::size_t point, std::span<const Jet2> basis,
+using BendingRows = std::function<void(int side, std::size_t point, std::span<const Jet3> basis,
                                        Eigen::Ref<Eigen::Matrix<double, 3, Eigen::Dynamic>> rows)>;
 /// Energy matrix of these rows over a face.
 Eigen::MatrixXd bending_matrix(const ChartSamples& samples, const BendingRows& rows);
 
-/// Plate energy: second derivatives squared plus `third` times third derivatives squared.
-Eigen::MatrixXd plate_matrix(const SamplesOf<Jet3>& samples, double third, const ChartMeasure& measure);
+/// Plate energy: second derivatives squared plus `third` times third derivatives squared, the latter times
+/// the face's thinness as well.
+Eigen::MatrixXd plate_matrix(const ChartSamples& samples, double third, const ChartMeasure& measure);
 /// Membrane energy: first derivatives squared.
-Eigen::MatrixXd membrane_matrix(const SamplesOf<Jet3>& samples, const ChartMeasure& measure);
+Eigen::MatrixXd membrane_matrix(const ChartSamples& samples, const ChartMeasure& measure);
 /// Change of (xx, sqrt(2) xy, yy) from the chart's coordinates to the measure's.
 Eigen::Matrix3d second_order_change(const ChartMeasure& measure);
+/// Change of (xxx, sqrt(3) xxy, sqrt(3) xyy, yyy) from the chart's coordinates to the measure's.
+Eigen::Matrix4d third_order_change(const ChartMeasure& measure);
 
 /// Weights of a face's energy, in its chart's order of sides.
 struct FaceWeights {

@@ -36,12 +36,12 @@ FaceReference reference_of_controls(const ChartSamples& samples, std::span<const
     auto& own = out.emplace_back();
     samples.with_basis(side, [&](const ChartSamples::Basis& basis) {
       for (std::size_t i = 0; i < samples.points(side).size(); ++i) {
-        const std::span<const Jet2> functions = basis.at(i);
+        const std::span<const Jet3> functions = basis.at(i);
         ReferencePoint sum{Vector3::Zero(), Vector3::Zero(), Vector3::Zero(), Vector3::Zero(),
                            Vector3::Zero()};
         for (std::size_t k = 0; k < active.size(); ++k) {
           const Vector3& c = controls[std::size_t(active[k])];
-          const Jet2& f = functions[k];
+          const Jet3& f = functions[k];
           sum.x += f.x * c;
           sum.y += f.y * c;
           sum.xx += f.xx * c;
