@@ -94,6 +94,13 @@ Camera Camera::standard(StandardView view) {
   return camera;
 }
 
+Vector3 Camera::towards_eye() const {
+  Vector3 out = orientation * Vector3::UnitZ();
+  for (double& part : out)
+    if (std::abs(part) < 1e-12) part = 0;
+  return out.normalized();
+}
+
 double Camera::view_height() const {
   return 2 * distance * std::tan(field_of_view / 2);
 }

@@ -52,6 +52,8 @@ struct Camera {
 
   /// Camera with the orientation of a standard view.
   static Camera standard(StandardView view);
+  /// Unit direction from the target to the eye. Where rounding alone tilts it from an axis it is the axis.
+  Vector3 towards_eye() const;
 
   Vector3 right() const { return orientation * Vector3::UnitX(); }
   Vector3 up() const { return orientation * Vector3::UnitY(); }

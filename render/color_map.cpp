@@ -16,7 +16,7 @@ namespace {
 struct MapFacts {
   SurfaceMap map;
   std::string_view word, title;
-  int length_power;  ///< power of the length unit; 0 for pure numbers and maps without values
+  int length_power;  ///< power of the length unit; 0 for pure numbers, angles and maps without values
 };
 constexpr std::array<MapFacts, surface_map_count> facts{{
     {SurfaceMap::shaded, "shaded", "Shaded", 0},
@@ -28,6 +28,10 @@ constexpr std::array<MapFacts, surface_map_count> facts{{
     {SurfaceMap::principal_min, "k2", "Least curvature", -1},
     {SurfaceMap::continuity, "continuity", "Relative curvature jump", 0},
     {SurfaceMap::isophotes, "isophotes", "Isophotes", 0},
+    {SurfaceMap::draft, "draft", "Draft angle", 0},
+    {SurfaceMap::radius, "radius", "Smallest radius", 1},
+    {SurfaceMap::thickness, "thickness", "Wall thickness", 1},
+    {SurfaceMap::deviation, "deviation", "Deviation", 1},
 }};
 
 const MapFacts& facts_of(SurfaceMap map) {
@@ -78,6 +82,8 @@ constexpr Polar blue_half{0.72, 0.110, 252}, red_half{0.72, 0.120, 35};
 
 // Blue and orange differ for every kind of colour vision; lightness carries the magnitude.
 constexpr Polar orange_end{0.52, 0.145, 58}, orange_half{0.77, 0.115, 68};
+// Right below a limit a colour already: the step shows where the limit is.
+constexpr Polar red_step{0.86, 0.075, 40}, orange_step{0.88, 0.085, 75}, blue_step{0.97, 0.012, 250};
 constexpr std::array<Polar, 7> safe_sequential_stops{{{0.24, 0.085, 262},
                                                       {0.35, 0.075, 262},
                                                       {0.46, 0.035, 262},
@@ -85,6 +91,27 @@ constexpr std::array<Polar, 7> safe_sequential_stops{{{0.24, 0.085, 262},
                                                       {0.69, 0.065, 95},
                                                       {0.81, 0.115, 98},
                                                       {0.93, 0.165, 102}}};
+
+bool is_of_limits(ColorScale scale) {
+  return scale == ColorScale::limit || scale == ColorScale::limit_safe;
+}
+
+/// Colour at 0 .. 1 of the scales of limits: red or orange below the middle, white to blue from there on.
+Color limit_color(double x, bool safe) {
+  const double away = std::abs(2 * x - 1);
+  const Polar& step = x < 0.5 ? (safe ? orange_step : red_step) : blue_step;
+  const Polar& half = x < 0.5 ? (safe ? orange_half : red_half) : blue_half;
+  const Polar& end = x < 0.5 ? (safe ? orange_end : red_end) : blue_end;
+  return away <= 0.5 ? mix_oklab(step, half, 2 * away) : mix_oklab(half, end, 2 * away - 1);
+}
+
+/// Ends of the automatic range of a map with a limit.
+ValueRange range_round(SurfaceMap map, double limit) {
+  if (map != SurfaceMap::draft) return {0, limit > 0 ? 2 * limit : 1.0, limit};
+  constexpr double usual = 5, right_angle = 90;  // degrees
+  const double reach = std::min(limit > 0 ? 2 * limit : usual, right_angle - limit);
+  return {limit - reach, limit + reach, limit};
+}
 
 std::vector<float> finite_values(std::span<const float> values) {
   std::vector<float> out;
@@ -179,20 +206,24 @@ std::string_view title_of(SurfaceMap map) {
   return facts_of(map).title;
 }
 bool has_values(SurfaceMap map) {
-  return map == SurfaceMap::continuity || facts_of(map).length_power != 0;
+  return map == SurfaceMap::continuity || map == SurfaceMap::draft || facts_of(map).length_power != 0;
 }
 
 std::string unit_of(SurfaceMap map, std::string_view length_unit) {
+  if (map == SurfaceMap::draft) return "\u00b0";
   const int power = facts_of(map).length_power;
   if (power == 0 || length_unit.empty()) return {};
+  if (power == 1) return std::string(length_unit);
   return "1/" + std::string(length_unit) + (power == -2 ? "\u00b2" : "");
 }
 
 ColorScale scale_of(SurfaceMap map) {
+  if (has_limit(map)) return ColorScale::limit;
   return map == SurfaceMap::continuity ? ColorScale::sequential : ColorScale::diverging;
 }
 
 ColorScale scale_for(SurfaceMap map, ValueRange range, bool colour_blind_safe) {
+  if (has_limit(map)) return colour_blind_safe ? ColorScale::limit_safe : ColorScale::limit;
   const bool diverging = scale_of(map) == ColorScale::diverging && range.low < 0 && range.high > 0;
   if (diverging) return colour_blind_safe ? ColorScale::diverging_safe : ColorScale::diverging;
   return colour_blind_safe ? ColorScale::sequential_safe : ColorScale::sequential;
@@ -200,7 +231,10 @@ ColorScale scale_for(SurfaceMap map, ValueRange range, bool colour_blind_safe) {
 
 ScaleSlopes scale_slopes(ColorScale scale, ValueRange range) {
   const bool diverging = scale == ColorScale::diverging || scale == ColorScale::diverging_safe;
-  if (diverging && range.low < 0 && range.high > 0) return {0, 0.5, 0.5 / -range.low, 0.5 / range.high};
+  const double under = range.centre - range.low, over = range.high - range.centre;
+  if (diverging && under > 0 && over > 0) return {range.centre, 0.5, 0.5 / under, 0.5 / over};
+  if (is_of_limits(scale))
+    return {range.centre, 0.5, under > 0 ? 0.5 / under : 0.0, over > 0 ? 0.5 / over : 0.0};
   const double extent = range.high - range.low, slope = extent > 0 ? 1 / extent : 0;
   return {range.low, extent > 0 ? 0.0 : 0.5, slope, slope};
 }
@@ -210,8 +244,21 @@ double scale_fraction(ColorScale scale, ValueRange range, double value) {
   return s.place + (value - s.pivot) * (value < s.pivot ? s.below : s.above);
 }
 
+std::optional<MapFloor> floor_of(SurfaceMap map, bool colour_blind_safe) {
+  if (map != SurfaceMap::draft) return std::nullopt;
+  // Violet beside red and blue; without red, nearly black.
+  return MapFloor{0, color_from_hex(colour_blind_safe ? "#23232b" : "#7b2d9e")};
+}
+
+Color color_of_value(SurfaceMap map, ValueRange range, bool colour_blind_safe, double value) {
+  if (const auto floor = floor_of(map, colour_blind_safe); floor && value < floor->value) return floor->color;
+  const ColorScale scale = scale_for(map, range, colour_blind_safe);
+  return color_at(scale, scale_fraction(scale, range, value));
+}
+
 Color color_at(ColorScale scale, double x) {
   x = std::clamp(x, 0.0, 1.0);
+  if (is_of_limits(scale)) return limit_color(x, scale == ColorScale::limit_safe);
   if (scale == ColorScale::sequential || scale == ColorScale::sequential_safe) {
     const auto& stops = scale == ColorScale::sequential ? sequential_stops : safe_sequential_stops;
     const double at = x * static_cast<double>(stops.size() - 1);
@@ -265,7 +312,8 @@ ValueRange symmetric(ValueRange range) {
   return {-m, m};
 }
 
-ValueRange automatic_range(SurfaceMap map, std::span<const float> values) {
+ValueRange automatic_range(SurfaceMap map, std::span<const float> values, double limit) {
+  if (has_limit(map)) return range_round(map, limit);
   const ValueRange inner = percentile_range(values, 0.02);
   const bool diverging = scale_of(map) == ColorScale::diverging;
   const double m = std::max(std::abs(inner.low), std::abs(inner.high));
@@ -274,13 +322,14 @@ ValueRange automatic_range(SurfaceMap map, std::span<const float> values) {
   return diverging ? ValueRange{-end, end} : ValueRange{0, end};
 }
 
-ValueRange value_range(SurfaceMap map, const MapRange& settings, std::span<const float> values) {
+ValueRange value_range(SurfaceMap map, const MapRange& settings, std::span<const float> values,
+                       double limit) {
   ValueRange range;
   switch (settings.mode) {
     case RangeMode::symmetric:
-      return automatic_range(map, values);
+      return automatic_range(map, values, limit);
     case RangeMode::manual:
-      return {settings.low, settings.high};
+      return {settings.low, settings.high, limit};
     case RangeMode::percentile:
       range = percentile_range(values, 0.02);
       break;
@@ -290,9 +339,10 @@ ValueRange value_range(SurfaceMap map, const MapRange& settings, std::span<const
   }
   // A constant, even with rounding noise, gets a range of its own magnitude.
   const double size = std::max(std::abs(range.low), std::abs(range.high));
+  range.centre = limit;
   if (range.high - range.low > 1e-5 * size && size > 1e-12) return range;
   const double margin = size > 1e-12 ? 0.5 * size : 1.0, middle = (range.low + range.high) / 2;
-  return {middle - margin, middle + margin};
+  return {middle - margin, middle + margin, limit};
 }
 
 std::vector<Tick> legend_ticks(ValueRange range, int count) {

@@ -31,7 +31,6 @@ bool paint_legend(Image& image, const Legend& legend) {
   const Color text = legend.on_dark ? color_from_hex("#e6e6e6") : color_from_hex("#2b2d31");
   const Color frame{text.r, text.g, text.b, 0.45F};
   TextPainter painter;
-  const ColorScale scale = scale_for(legend.map, legend.range, legend.colour_blind_safe);
   const double size = 13 * s;
   const std::vector<Tick> ticks = legend_ticks(legend.range, 5);
   std::string heading(title_of(legend.map));
@@ -57,7 +56,13 @@ bool paint_legend(Image& image, const Legend& legend) {
   for (int y = 0; y < static_cast<int>(std::ceil(height)); ++y) {
     const double y0 = top + y, y1 = std::min(y0 + 1, bottom);
     const double value = legend.range.low + (1 - (y + 0.5) / height) * (legend.range.high - legend.range.low);
-    fill(image, x, y0, x + width, y1, color_at(scale, scale_fraction(scale, legend.range, value)));
+    fill(image, x, y0, x + width, y1,
+         color_of_value(legend.map, legend.range, legend.colour_blind_safe, value));
+  }
+  const double limit_at = legend.range.fraction(legend.range.centre);
+  if (has_limit(legend.map) && limit_at > 0 && limit_at < 1) {
+    const double y = bottom - limit_at * height;
+    fill(image, x - 3 * s, y - s, x + width + 3 * s, y + s, text);
   }
   for (const Tick& tick : ticks) {
     const double y = bottom - tick.fraction * height;

@@ -12,7 +12,7 @@ namespace hariko {
 /// Content and look of a legend.
 struct Legend {
   SurfaceMap map = SurfaceMap::gaussian;
-  ValueRange range;
+  ValueRange range;              ///< its centre is the limit of maps that have one
   std::string unit;              ///< as from `unit_of`
   std::vector<float> histogram;  ///< drawn beside the bar unless empty
   bool on_dark = true;           ///< light text for dark backgrounds

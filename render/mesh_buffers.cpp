@@ -35,13 +35,16 @@ std::vector<std::vector<int>> neighbours_of(const GridPattern& pattern) {
   return out;
 }
 
+/// Stands for infinite values: beyond every range, and still a number after interpolation.
+constexpr float practically_infinite = 1e30F;
+
 /// Map values of whole patches; undefined ones are filled in from their neighbours.
 std::vector<MapPoint> map_points(std::span<const float> values,
                                  const std::vector<std::vector<int>>& neighbours) {
   std::vector<MapPoint> out(values.size());
   for (std::size_t i = 0; i < values.size(); ++i) {
-    if (std::isfinite(values[i])) {
-      out[i] = {values[i], 1};
+    if (!std::isnan(values[i])) {
+      out[i] = {std::clamp(values[i], -practically_infinite, practically_infinite), 1};
       continue;
     }
     const std::size_t point = i % neighbours.size(), base = i - point;

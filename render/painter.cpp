@@ -141,8 +141,9 @@ Result<Painter> Painter::create() {
 
 Painter::Painter(Programs programs)
     : programs_(std::move(programs)),
-      tables_{color_texture(ColorScale::diverging), color_texture(ColorScale::sequential),
-              color_texture(ColorScale::diverging_safe), color_texture(ColorScale::sequential_safe)},
+      tables_{color_texture(ColorScale::diverging),       color_texture(ColorScale::sequential),
+              color_texture(ColorScale::limit),           color_texture(ColorScale::diverging_safe),
+              color_texture(ColorScale::sequential_safe), color_texture(ColorScale::limit_safe)},
       empty_(VertexArray::make()),
       stream_lines_(VertexArray::make()),
       stream_points_(VertexArray::make()),
@@ -244,10 +245,7 @@ void Painter::grid(const Frame& frame, const GridSettings& grid, const Style& st
 
 void Painter::cut(const Frame& frame, bool on) {
   cutting_ = on && frame.has_section;
-  if (cutting_)
-    glEnable(GL_CLIP_DISTANCE0);
-  else
-    glDisable(GL_CLIP_DISTANCE0);
+  (cutting_ ? glEnable : glDisable)(GL_CLIP_DISTANCE0);
 }
 
 void Painter::bind_table(ColorScale scale) const {
@@ -285,6 +283,9 @@ Result<Done> Painter::surface(const Frame& frame, const SceneObject& object, con
   program.set("up_in_eye", to_float(Vector3(rotation * Vector3::UnitZ())));
   const ColorScale scale = scale_for(object.map, object.range, frame.colour_blind_safe);
   program.set("range", range_uniform(scale, object.range));
+  const auto floor = floor_of(object.map, frame.colour_blind_safe);
+  program.set("floor_value", floor ? floor->value : -1e37);
+  program.set("floor_color", rgb(floor ? floor->color : style.undefined));
   Vector3 direction = zebra.direction;
   if (zebra.lock == StripeLock::object) direction = linear * direction;
   if (zebra.lock != StripeLock::view) direction = rotation * direction;

@@ -91,7 +91,8 @@ std::optional<SurfaceHit> hit_surface(const SceneObject& object, const Ray& ray,
   const std::array<double, 3> weights{1 - where.b - where.c, where.b, where.c};
   for (std::size_t i = 0; i < 3; ++i) {
     out->parameter += weights[i] * parameters[corners[i] % n];
-    out->value += weights[i] * double(mesh.value(corners[i]));
+    // The coefficient opposite of a corner or side has no part in it, even where it is infinite.
+    if (weights[i] > 0) out->value += weights[i] * double(mesh.value(corners[i]));
   }
   out->t = best * local.scale;
   out->point = ray.at(out->t);

@@ -55,8 +55,8 @@ struct SurfaceHit {
   Index patch = no_index;
   Vector2 parameter = Vector2::Zero();  ///< parameters in the patch
   Vector3 point = Vector3::Zero();      ///< world point on the display mesh
-  double value = 0;                     ///< map value there; NaN where undefined or without a map
-  double t = 0;                         ///< parameter of the ray
+  double value = 0;  ///< map value there, may be infinite; NaN where undefined or without a map
+  double t = 0;      ///< parameter of the ray
 };
 /// Foremost point of the shown surfaces on a ray, for the probe and for zooming to the cursor.
 std::optional<SurfaceHit> pick_surface(const Scene& scene, const Ray& ray);

@@ -71,6 +71,7 @@ struct Renderer::State {
   void release(unsigned pictures);
   void drop_unused();
 
+  bool draws = true;                     ///< false: there is no context
   std::unique_ptr<gl::Painter> painter;  ///< null before the first picture is drawn
   std::array<Picture, most_pictures> pictures;
   unsigned bit = 1;  ///< bit of the picture being drawn
@@ -333,8 +334,15 @@ Result<Renderer> Renderer::create() {
   return Renderer(std::make_unique<State>());
 }
 
+Renderer Renderer::undrawn() {
+  auto state = std::make_unique<State>();
+  state->draws = false;
+  return Renderer(std::move(state));
+}
+
 Result<Done> Renderer::draw(const Scene& scene, const Camera& camera, const DrawOptions& options) {
   State& s = *state_;
+  HARIKO_ASSERT(s.draws, "nothing is drawn without a context");
   s.statistics = {};
   if (!s.painter)
     if (const Result<Done> made = reload(); !made) return made;

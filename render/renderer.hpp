@@ -44,6 +44,8 @@ class Renderer {
   /// Creates a renderer. Errors: E_GL_VERSION below 3.3. Shaders are compiled with the first picture, so that
   /// a window without pictures starts without them.
   static Result<Renderer> create();
+  /// Renderer of an interface that is never shown: needs no GL context. Drawing is asserted against.
+  static Renderer undrawn();
   Renderer(Renderer&&) noexcept;
   Renderer& operator=(Renderer&&) noexcept;
   ~Renderer();

@@ -35,8 +35,11 @@ ALLOWED = {
     " steps to undo instead of ", "a number is not finite", "something follows the end", "the scale is out of range",
     "times descend", "unknown kind \"", "version ", " is unknown",
 }
-# The command line, the log of tests, and the names of keys, which are the same everywhere.
-UNSEEN = {"app/main.cpp", "app/crash_report.cpp", "app/input/test_log.cpp", "app/input/replay.cpp", "ui/base/key_chord.cpp"}
+# The command line and what scripts are told there, the log of tests, and the names of keys, which are the same
+# everywhere.
+UNSEEN = {"app/main.cpp", "app/crash_report.cpp", "app/input/test_log.cpp", "app/input/replay.cpp", "ui/base/key_chord.cpp",
+          "ui/editor/command_arguments.cpp", "ui/view/select_scripts.cpp", "ui/view/transform_scripts.cpp",
+          "ui/shell/property_scripts.cpp", "ui/shell/file_scripts.cpp"}
 # Calls whose literals are not for users, or are translated by the code of their message.
 SILENT = {"HARIKO_ASSERT", "make_error", "make_warning", "static_assert", "getenv", "glfwWindowHintString", "PushID",
           "begin_panel", "FindWindowByName", "OpenPopup", "BeginPopup", "IsPopupOpen", "BeginChild"}

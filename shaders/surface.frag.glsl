@@ -10,6 +10,8 @@ uniform vec3 undefined_color;
 uniform vec3 up_in_eye;        // the world's z in camera axes
 uniform vec4 range;            // pivot, its place in the table, and slopes below and above it
 uniform sampler1D table;
+uniform float floor_value;     // values below it have a colour of their own
+uniform vec3 floor_color;
 uniform vec3 stripe_direction; // camera axes, unit
 uniform float stripes;
 uniform float dimming;         // 0 .. 1
@@ -147,7 +149,9 @@ void main() {
   // Round an undefined point a spot of about two pixels is grey; wholly undefined triangles have no slope.
   float per_pixel = max(fwidth(map_value.y), 1e-4);
   float defined = clamp(map_value.y / per_pixel - 1.5, 0.0, 1.0);
-  vec3 base = mix(undefined_color, texture(table, at * (255.0 / 256.0) + 0.5 / 256.0).rgb, defined);
+  vec3 mapped = texture(table, at * (255.0 / 256.0) + 0.5 / 256.0).rgb;
+  mapped = map_value.x < floor_value ? floor_color : mapped;
+  vec3 base = mix(undefined_color, mapped, defined);
   vec3 result = base * (0.70 + 0.30 * clamp(dot(n, v), 0.0, 1.0)) * (inside ? 0.75 : 1.0);
 #elif MODE == 1
   vec3 result = to_srgb(clay(to_linear(inside ? patch_color.rgb * 0.6 : patch_color.rgb), n, v, inside));

@@ -98,6 +98,10 @@ struct RenderArguments {
   Construction construction;
   int stripes = 9;
   bool colour_blind_safe = false;
+  // For maps of making; nothing or empty: as the document has it.
+  std::optional<Vector3> pull;  ///< not zero
+  std::optional<double> limit;  ///< degrees, or a length in the document's unit
+  std::string reference;        ///< name of an object
 };
 /// Draws a picture of a document.
 int run_render(const RenderArguments& arguments);
@@ -143,6 +147,17 @@ struct UnfoldArguments {
 };
 /// Unfolds a model to sheets of paper.
 int run_unfold(const UnfoldArguments& arguments);
+
+/// Arguments of `hariko run`.
+struct ScriptArguments {
+  std::filesystem::path file;                    ///< the script
+  std::optional<std::filesystem::path> in, out;  ///< documents to begin with and to save at the end
+  Reading reading;                               ///< of all files that it opens
+};
+/// Runs a script. What is wrong with its steps is found before the first of them runs where that is possible.
+int run_script(const ScriptArguments& arguments);
+/// Prints the commands that scripts may run.
+int run_command_list(bool json);
 
 /// Draws the pictures of the samples in `assets` into the folder `out`, for the build. Without OpenGL it
 /// draws none, prints a note and succeeds: the program then draws them when it shows them.

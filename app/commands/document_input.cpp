@@ -10,7 +10,6 @@ namespace hariko {
 
 namespace {
 
-constexpr Code e_no_such_object{"E_NO_SUCH_OBJECT"};
 constexpr Code w_kept_as_facets{"W_KEPT_AS_FACETS"};
 
 void choose(OutlineSettings& settings, const Construction& construction) {

@@ -165,6 +165,16 @@ void write(JsonWriter& json, const Message& message) {
   });
 }
 
+void write(JsonWriter& json, const DimensionInfo& info) {
+  json.object([&] {
+    json.member("kind", info.kind);
+    json.member("value", info.value);
+    if (!info.radii.empty()) json.member("radii", info.radii);
+    json.member("points", info.points);
+    json.member("anchors", info.anchors);
+  });
+}
+
 /// Value as text, with six significant digits; the JSON has all digits.
 std::string readable(const InfoValue& value) {
   if (std::holds_alternative<std::monostate>(value.state)) return "-";
@@ -208,7 +218,7 @@ std::string text_of(const Message& message) {
 
 }  // namespace
 
-std::string info_json(const std::vector<ObjectInfo>& objects) {
+std::string info_json(const std::vector<ObjectInfo>& objects, const std::vector<DimensionInfo>& dimensions) {
   JsonWriter json(2);
   json.object([&] {
     json.list("objects", objects, [&](const ObjectInfo& info) {
@@ -222,6 +232,7 @@ std::string info_json(const std::vector<ObjectInfo>& objects) {
         write(json, times_of(info));
       });
     });
+    json.list("dimensions", dimensions, [&](const DimensionInfo& info) { write(json, info); });
   });
   return json.take() + "\n";
 }

@@ -4,6 +4,7 @@
 #include "app/commands/console.hpp"
 #include "app/commands/document_input.hpp"
 #include "app/commands/shown_objects.hpp"
+#include "core/document/edits/edit_making.hpp"
 #include "render/picture.hpp"
 #include "render/surface_maps.hpp"
 
@@ -12,25 +13,52 @@ namespace hariko {
 namespace {
 
 /// Sets one range for all objects, so that a colour means the same everywhere.
-void set_ranges(Scene& scene, SurfaceMap map, const MapRange& wanted, Legend& legend) {
+void set_ranges(Scene& scene, SurfaceMap map, const MapRange& wanted, double limit, Legend& legend) {
   std::vector<float> values;
   for (const SceneObject& object : scene.objects) {
-    if (object.map != map) continue;  // reference facets
+    if (object.map != map) continue;  // reference facets, and what has no values
     const auto own = values_of(*object.mesh, map);
     values.insert(values.end(), own.begin(), own.end());
   }
   legend.map = map;
-  legend.range = value_range(map, wanted, values);
+  legend.range = value_range(map, wanted, values, limit);
   legend.histogram = histogram(values, legend.range, 64);
   for (SceneObject& object : scene.objects) object.range = legend.range;
+}
+
+/// The document with what the arguments say about making instead of its own. Errors: E_MAKING_INVALID,
+/// E_NO_SUCH_OBJECT.
+Result<Document> with_making(const Document& document, const RenderArguments& arguments) {
+  MakingSettings making = document.making;
+  if (arguments.pull) making.pull = *arguments.pull;
+  if (arguments.limit) {
+    const double unit = millimetres_per(document.unit);
+    if (arguments.map == SurfaceMap::draft) making.draft = *arguments.limit;
+    if (arguments.map == SurfaceMap::radius) making.radius = *arguments.limit * unit;
+    if (arguments.map == SurfaceMap::thickness) making.thickness = *arguments.limit * unit;
+  }
+  if (!arguments.reference.empty()) {
+    const auto found = std::find_if(document.objects.begin(), document.objects.end(),
+                                    [&](const auto& object) { return object->name == arguments.reference; });
+    if (found == document.objects.end())
+      return make_error(e_no_such_object, "There is no object called \"" + arguments.reference + "\".",
+                        "`hariko info` lists the names.");
+    making.reference = (*found)->id;
+  }
+  return set_making(document, making);
 }
 
 }  // namespace
 
 int run_render(const RenderArguments& arguments) {
   const std::string file = arguments.file.string();
-  const auto document = read_document_or_report(arguments.file, arguments.construction);
-  if (!document) return exit_failed;
+  const auto read = read_document_or_report(arguments.file, arguments.construction);
+  if (!read) return exit_failed;
+  const auto document = with_making(*read, arguments);
+  if (!document) {
+    report(file, document.error());
+    return exit_failed;
+  }
 
   Scene scene;
   scene.grid.visible = false;
@@ -45,7 +73,8 @@ int run_render(const RenderArguments& arguments) {
   Legend legend;
   legend.colour_blind_safe = arguments.colour_blind_safe;
   legend.on_dark = arguments.background == Background::dark;
-  if (has_values(arguments.map)) set_ranges(scene, arguments.map, arguments.range, legend);
+  if (has_values(arguments.map))
+    set_ranges(scene, arguments.map, arguments.range, limit_of(*document, arguments.map), legend);
   const PixelSize size{arguments.width, arguments.height};
   const Camera camera = Camera::standard(arguments.view).frame(scene.world_box(), size);
   auto picture = render_picture(scene, camera, size.width, size.height);

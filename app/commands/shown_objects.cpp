@@ -15,16 +15,77 @@ namespace hariko {
 
 namespace {
 
+/// Surroundings that the map depends on, for all objects of a picture.
+struct MapView {
+  Vector3 pull = Vector3::UnitZ();
+  std::shared_ptr<const DeviationReference> reference;
+  ObjectId reference_id;
+  Similarity reference_transform;
+};
+
+/// The map's view of the document; for deviations with the surface of the reference. Errors: E_MAP_REFERENCE,
+/// those of surfaces.
+Result<MapView> map_view(const Document& document, SurfaceMap map) {
+  MapView out;
+  out.pull = document.making.pull;
+  if (map != SurfaceMap::deviation) return out;
+  const Object* reference = document.find(document.making.reference);
+  if (!reference || !has_shape(*reference))
+    return make_error(e_map_reference, "There is no reference to deviate from.",
+                      "Name an object with --deviation-from.");
+  out.reference_id = reference->id;
+  out.reference_transform = reference->transform;
+  Surface surface;
+  if (reference->mesh()) {
+    surface = facets_of(*reference->mesh());
+  } else {
+    const auto built = object_surface(document, *reference);
+    if (!built.ok()) return built.error();
+    surface = built->surface;
+  }
+  if (surface.patch_count() == 0)
+    return make_error(e_map_reference, "The reference is empty.",
+                      "Name another object with --deviation-from.");
+  out.reference = std::make_shared<const DeviationReference>(
+      surface, reference->mesh() ? DeviationReference::Kind::facets : DeviationReference::Kind::smooth);
+  return out;
+}
+
+/// Builds the mesh of a part, with the values of the map where the object has them; else with why not.
+std::optional<Message> build_mesh(const Object& object, const Surface& surface, SurfaceMap map, int density,
+                                  const MapView& view, SceneObject& out) {
+  MapPlace place;
+  place.transform = object.transform;
+  place.facets = object.mesh() != nullptr;
+  place.pull = view.pull;
+  place.reference_transform = view.reference_transform;
+  if (object.id == view.reference_id)
+    place.no_reference = make_warning(e_map_reference, "This object is the reference.");
+  else
+    place.reference = view.reference;
+  const auto options = map_options(surface, map, density, place);
+  out.mesh = DisplayMesh::build(surface, options ? *options : map_options(SurfaceMap::shaded, density));
+  out.map = options ? map : SurfaceMap::shaded;
+  return options ? std::nullopt : std::optional(options.error());
+}
+
+/// A part of a picture, and why it has no values of its map.
+struct MappedObject {
+  ShownObject shown;
+  std::optional<Message> missing;
+};
+
 /// Reference facets as a part of the scene: flat, with their edges only.
-ShownObject shown_facets(const Object& object, const RenderArguments& arguments) {
+MappedObject shown_facets(const Object& object, const RenderArguments& arguments, const MapView& view) {
   const Surface surface = facets_of(*object.mesh());
   SceneObject out;
-  out.mesh = DisplayMesh::build(surface, map_options(SurfaceMap::shaded, 1));
+  const SurfaceMap map = is_of_making(arguments.map) ? arguments.map : SurfaceMap::shaded;
+  auto missing = build_mesh(object, surface, map, facet_density(map, surface.patch_count()), view, out);
   out.polyhedron = lines_of(*object.mesh());
   out.show_polyhedron = arguments.polyhedron;
   out.show_points = false;
   out.wire = arguments.wire;
-  return {std::move(out), surface};
+  return {{std::move(out), surface}, std::move(missing)};
 }
 
 /// Adds combs and continuity marks of a surface.
@@ -39,8 +100,8 @@ void add_curves(const Object& object, const Surface& surface, const RenderArgume
 }
 
 /// Surface of an object as a part of the scene, at a density that looks smooth.
-Result<ShownObject> shown_surface(const Document& document, const Object& object,
-                                  const RenderArguments& arguments) {
+Result<MappedObject> shown_surface(const Document& document, const Object& object,
+                                   const RenderArguments& arguments, const MapView& view) {
   const auto built = object_surface(document, object);
   if (!built.ok()) return built.error();
   SceneObject out;
@@ -48,9 +109,8 @@ Result<ShownObject> shown_surface(const Document& document, const Object& object
   const int density = arguments.wire == PatchWire::mesh
                           ? object.display.density
                           : display_density(built->surface.patch_count(), built->surface.domain(), 1'000'000);
-  out.mesh = DisplayMesh::build(built->surface, map_options(arguments.map, density));
+  auto missing = build_mesh(object, built->surface, arguments.map, density, view, out);
   out.polyhedron = lines_of(document, object);
-  out.map = arguments.map;
   out.show_polyhedron = arguments.polyhedron;
   if (object.solids()) {
     out.show_bodies = out.x_ray = arguments.polyhedron;
@@ -60,15 +120,15 @@ Result<ShownObject> shown_surface(const Document& document, const Object& object
   out.show_tensions = arguments.tensions;
   out.wire = arguments.wire;
   add_curves(object, built->surface, arguments, out);
-  return ShownObject{std::move(out), built->surface};
+  return MappedObject{{std::move(out), built->surface}, std::move(missing)};
 }
 
-Result<ShownObject> shown_object(const Document& document, const Object& object,
-                                 const RenderArguments& arguments) {
-  auto out = object.mesh() ? Result<ShownObject>(shown_facets(object, arguments))
-                           : shown_surface(document, object, arguments);
+Result<MappedObject> shown_object(const Document& document, const Object& object,
+                                  const RenderArguments& arguments, const MapView& view) {
+  auto out = object.mesh() ? Result<MappedObject>(shown_facets(object, arguments, view))
+                           : shown_surface(document, object, arguments, view);
   if (!out.ok()) return out;
-  SceneObject& part = out.value().part;
+  SceneObject& part = out.value().shown.part;
   part.transform = matrix_of(object.transform);
   const DisplaySettings display =
       with_material(object.display, arguments.material.value_or(object.display.material));
@@ -82,17 +142,32 @@ Result<ShownObject> shown_object(const Document& document, const Object& object,
 std::optional<std::vector<ShownObject>> shown_objects_or_report(const Document& document,
                                                                 const RenderArguments& arguments) {
   const std::string file = arguments.file.string();
+  const auto view = map_view(document, arguments.map);
+  if (!view) {
+    report(file, view.error());
+    return std::nullopt;
+  }
   std::vector<ShownObject> out;
+  std::vector<std::pair<std::string, Message>> missing;  // with the object's name
   for (const Message& warning : left_out_of_triangles(document)) report(file, warning);
   for (const auto& object : document.objects) {
     if (!object->visible || !has_shape(*object)) continue;
-    auto shown = shown_object(document, *object, arguments);
-    if (!shown.ok()) {
-      report(file + ": " + object->name, shown.error());
+    auto made = shown_object(document, *object, arguments, *view);
+    if (!made.ok()) {
+      report(file + ": " + object->name, made.error());
       return std::nullopt;
     }
-    out.push_back(std::move(shown).value());
+    MappedObject mapped = std::move(made).value();
+    if (mapped.missing) missing.emplace_back(object->name, *mapped.missing);
+    out.push_back(std::move(mapped.shown));
   }
+  // A picture of nothing but objects without values would not be what was asked for.
+  const bool failed = !missing.empty() && missing.size() == out.size();
+  for (auto& [name, message] : missing) {
+    if (!failed) message.severity = Severity::warning;
+    report(file + ": " + name, message);
+  }
+  if (failed) return std::nullopt;
   if (!out.empty()) return out;
   report(file, make_error(e_nothing_to_show, "No visible object of the file has a shape to show.",
                           "Make an object visible, or add one."));

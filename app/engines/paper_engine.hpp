@@ -33,6 +33,8 @@ class PaperEngine {
   /// Takes over finished results; returns their number.
   std::size_t publish() { return lane_.publish(); }
   bool idle() const { return lane_.idle(); }
+  /// Waits for the worker, for scripts and for tests.
+  void wait() { lane_.wait(); }
 
  private:
   /// Inputs that determine the facets.

@@ -33,6 +33,11 @@ bool same_neighbours(const Object& a, const ObjectPointers& of_a, const Object& 
          (of_a.empty() || a.transform == b.transform);
 }
 
+/// Whether a map has the same values and the same colours.
+bool same_map(const MapSurroundings& a, const MapSurroundings& b) {
+  return a.limit == b.limit && same_values(a, b);
+}
+
 /// Whether an object is drawn; facets of reference meshes are drawn like surfaces.
 bool is_drawn(const Object& object) {
   return has_shape(object);
@@ -68,21 +73,24 @@ void RebuildEngine::sync(const Document& document, bool in_gesture, double now, 
     Track& track = tracks_[given->id];
     const auto object = with_map(track, given, map);
     ObjectPointers neighbours = neighbours_of(document, object->id);
+    MapSurroundings surroundings =
+        surroundings_of(document, *object, [this](ObjectId id) { return shown_surface(id); });
     const bool changed = !track.requested ||
                          (track.requested != object && !same_view(*track.requested, *object)) ||
-                         !same_neighbours(*track.requested, track.neighbours, *object, neighbours);
+                         !same_neighbours(*track.requested, track.neighbours, *object, neighbours) ||
+                         !same_map(track.surroundings, surroundings);
     if (changed && paused && track.requested && !track.forced) {
       track.outdated = true;
     } else if (changed || track.forced) {
       // The first surface of an object is final even within a gesture.
-      request(track, object, std::move(neighbours),
+      request(track, object, std::move(neighbours), std::move(surroundings),
               in_gesture && track.requested ? Quality::drag : Quality::final, now);
     } else {
       track.requested = object;
       track.neighbours = std::move(neighbours);
       const bool rests = !in_gesture || now - track.requested_at > rest_seconds;
       if (track.quality == Quality::drag && rests)
-        request(track, object, track.neighbours, Quality::final, now);
+        request(track, object, track.neighbours, std::move(surroundings), Quality::final, now);
     }
   }
   for (auto it = tracks_.begin(); it != tracks_.end();) {
@@ -127,8 +135,14 @@ void RebuildEngine::reset() {
   views_.clear();
 }
 
+const Surface* RebuildEngine::shown_surface(ObjectId id) const {
+  const auto view = views_.find(id);
+  return view != views_.end() && view->second.mesh ? &view->second.surface : nullptr;
+}
+
 void RebuildEngine::request(Track& track, const std::shared_ptr<const Object>& object,
-                            ObjectPointers neighbours, Quality quality, double now) {
+                            ObjectPointers neighbours, MapSurroundings surroundings, Quality quality,
+                            double now) {
   // Drag jobs are short and their results worth showing; outdated final jobs only delay the next one.
   const auto running =
       track.quality == Quality::final ? WorkLane::Running::cancel : WorkLane::Running::finish;
@@ -136,6 +150,7 @@ void RebuildEngine::request(Track& track, const std::shared_ptr<const Object>& o
   if (!track.pending) track.stale_since = now;
   track.requested = object;
   track.neighbours = neighbours;
+  track.surroundings = surroundings;
   track.quality = quality;
   track.requested_at = now;
   track.pending = true;
@@ -143,9 +158,10 @@ void RebuildEngine::request(Track& track, const std::shared_ptr<const Object>& o
   lane_.cancel(measure_key(object->id));
   lane_.submit(
       surface_key(object->id),
-      [this, object, neighbours = std::move(neighbours), quality,
+      [this, object, neighbours = std::move(neighbours), surroundings = std::move(surroundings), quality,
        builder = track.builder](const CancelToken& cancel) -> WorkLane::Publication {
-        auto view = std::make_shared<SurfaceView>(builder->build(object, neighbours, quality, cancel));
+        auto view =
+            std::make_shared<SurfaceView>(builder->build(object, neighbours, surroundings, quality, cancel));
         if (cancel.cancelled()) return {};
         return [this, id = object->id, view] { take(id, std::move(*view)); };
       },

@@ -7,6 +7,7 @@
 #include <memory>
 #include <set>
 
+#include "app/engines/map_surroundings.hpp"
 #include "app/engines/work_lane.hpp"
 #include "core/modeling/surfacing/object_surfacer.hpp"
 #include "ui/base/recompute.hpp"
@@ -21,9 +22,11 @@ class ViewBuilder {
  public:
   virtual ~ViewBuilder() = default;
   /// View of an object that has a surface or facets. `neighbours`: objects that it is attached to
-  /// (`neighbours_of`). A view without mesh has an `error` with the reason.
+  /// (`neighbours_of`). `surroundings`: what its map depends on besides. A view without mesh has an `error`
+  /// with the reason.
   virtual SurfaceView build(const std::shared_ptr<const Object>& object, const ObjectPointers& neighbours,
-                            Quality quality, const CancelToken& cancel) = 0;
+                            const MapSurroundings& surroundings, Quality quality,
+                            const CancelToken& cancel) = 0;
   /// Continuity between the patches of a surface; without seams where cancelled.
   virtual ContinuityReport measure(const Surface& surface, const CancelToken& cancel) = 0;
   /// Progress of the slow part, 0 .. 1; negative where unknown. From any thread.
@@ -80,6 +83,7 @@ class RebuildEngine {
     /// Object of the document, and the same with the view's map.
     std::shared_ptr<const Object> given, looked_at;
     ObjectPointers neighbours;
+    MapSurroundings surroundings;
     Quality quality = Quality::final;
     double requested_at = 0, stale_since = 0;
     bool pending = false, outdated = false, forced = false;
@@ -87,7 +91,8 @@ class RebuildEngine {
   static std::shared_ptr<const Object> with_map(Track& track, const std::shared_ptr<const Object>& object,
                                                 const ViewMap& map);
   void request(Track& track, const std::shared_ptr<const Object>& object, ObjectPointers neighbours,
-               Quality quality, double now);
+               MapSurroundings surroundings, Quality quality, double now);
+  const Surface* shown_surface(ObjectId id) const;
   void take(ObjectId id, SurfaceView view);
   void measure(ObjectId id);
 

@@ -9,7 +9,7 @@
 #include "core/analysis/continuity.hpp"
 #include "core/modeling/surfacing/merged_faces.hpp"
 #include "core/polyhedron/validation.hpp"
-#include "render/surface_maps.hpp"
+#include "ui/editor/view_map.hpp"
 
 namespace hariko {
 
@@ -19,9 +19,24 @@ constexpr Code e_rebuild_failed{"E_REBUILD_FAILED"};
 constexpr int histogram_bins = 48;
 
 /// Map that is shown for an object: reference meshes have no curvature.
-SurfaceMap shown_map(const Object& object) {
+SurfaceMap possible_map(const Object& object) {
   const SurfaceMap map = object.display.map;
-  return object.mesh() && has_values(map) ? SurfaceMap::shaded : map;
+  return can_show(object, map) ? map : SurfaceMap::shaded;
+}
+
+Message without_reference(ReferenceState state) {
+  constexpr const char* remedy = "Choose another object in the properties, or show it.";
+  switch (state) {
+    case ReferenceState::itself:
+      return make_error(e_map_reference, "This object is the reference that the others deviate from.",
+                        remedy);
+    case ReferenceState::hidden:
+      return make_error(e_map_reference, "The reference is hidden.", remedy);
+    case ReferenceState::waiting:
+      return make_error(e_map_reference, "The surface of the reference is not ready.", remedy);
+    default:
+      return make_error(e_map_reference, "There is no reference to deviate from.", remedy);
+  }
 }
 
 bool same_shape(const Object& a, const Object& b) {
@@ -41,8 +56,8 @@ void add_face_shapes(const PolyhedronSource& source, std::vector<Message>& warni
 
 /// Display density: as requested; higher on small models, whose outlines would show corners, and lower where
 /// the whole would exceed what a screen can use.
-int density_of(const Object& object, const Surface& surface) {
-  if (object.mesh()) return 1;
+int density_of(const Object& object, const Surface& surface, SurfaceMap map) {
+  if (object.mesh()) return facet_density(map, surface.patch_count());
   constexpr double smooth_budget = 30'000, largest_budget = 2'000'000;  // triangles
   constexpr int smooth_density = 24;
   const auto within = [&](double budget) {
@@ -55,8 +70,8 @@ int density_of(const Object& object, const Surface& surface) {
 }  // namespace
 
 SurfaceView SurfaceBuilder::build(const std::shared_ptr<const Object>& object,
-                                  const ObjectPointers& neighbours, Quality quality,
-                                  const CancelToken& cancel) {
+                                  const ObjectPointers& neighbours, const MapSurroundings& surroundings,
+                                  Quality quality, const CancelToken& cancel) {
   const auto start = std::chrono::steady_clock::now();
   SurfaceView view;
   view.object = object;
@@ -77,22 +92,8 @@ SurfaceView SurfaceBuilder::build(const std::shared_ptr<const Object>& object,
       last_quality_ = quality;
       combs_.reset();
     }
-    const int density = density_of(*object, last_.surface);
-    const SurfaceMap map = shown_map(*object);
-    const bool same_look = base_mesh_ && map == map_ && base_mesh_->options().density == density;
-    if (!fresh && quality == Quality::drag && last_.changed && same_look &&
-        last_.base_revision == base_revision_) {
-      view.mesh = base_mesh_->refreshed(last_.surface, *last_.changed);
-    } else if (fresh && same_look && last_.revision == base_revision_) {
-      view.mesh = base_mesh_;
-    } else {
-      view.mesh = DisplayMesh::build(last_.surface, map_options(map, density), cancel);
-      if (!view.mesh) return view;  // cancelled
-      base_mesh_ = view.mesh;
-      base_revision_ = last_.revision;
-    }
-    if (has_values(map)) take_range(*object, view);
-    map_ = map;
+    take_mesh(*object, surroundings, fresh, view, cancel);
+    if (!view.mesh) return view;  // cancelled
     view.surface = last_.surface;
     if (const CombSettings& combs = object->display.combs; combs.shown) {
       if (!combs_ || combs_->density != combs.density)
@@ -131,13 +132,69 @@ Result<PolyhedronSurface> SurfaceBuilder::surface_of(const Object& object, const
   return made;
 }
 
+MapPlace SurfaceBuilder::place_of(const Object& object, const MapSurroundings& surroundings) {
+  MapPlace place;
+  place.transform = surroundings.transform;
+  place.facets = object.mesh() != nullptr;
+  place.pull = surroundings.pull;
+  place.reference_transform = surroundings.reference_transform;
+  if (surroundings.state != ReferenceState::ready) {
+    reference_.reset();
+    place.no_reference = without_reference(surroundings.state);
+    return place;
+  }
+  // A reference that was only moved is searched as before.
+  const Surface& surface = surroundings.reference;
+  const bool known = reference_ && &reference_->surface().patches() == &surface.patches() &&
+                     reference_->surface().origin() == surface.origin();
+  if (!known)
+    reference_ = std::make_shared<const DeviationReference>(surface, surroundings.reference_facets
+                                                                         ? DeviationReference::Kind::facets
+                                                                         : DeviationReference::Kind::smooth);
+  place.reference = reference_;
+  return place;
+}
+
+/// Makes the mesh of the last surface with the values of the object's map; none where cancelled. A map that
+/// the object cannot have leaves the mesh without values, and says why.
+void SurfaceBuilder::take_mesh(const Object& object, const MapSurroundings& surroundings, bool fresh,
+                               SurfaceView& view, const CancelToken& cancel) {
+  const SurfaceMap map = possible_map(object);
+  const int density = density_of(object, last_.surface, map);
+  const bool same_look = base_mesh_ && map == map_ && base_mesh_->options().density == density &&
+                         same_values(surroundings, surroundings_) &&
+                         (!rough_ || view.quality == Quality::drag);
+  if (!fresh && view.quality == Quality::drag && last_.changed && same_look && is_local(map) &&
+      last_.base_revision == base_revision_) {
+    view.mesh = base_mesh_->refreshed(last_.surface, *last_.changed);
+  } else if (fresh && same_look && last_.revision == base_revision_) {
+    view.mesh = base_mesh_;
+  } else {
+    MapPlace place = place_of(object, surroundings);
+    place.rough = view.quality == Quality::drag;
+    const auto options = map_options(last_.surface, map, density, place);
+    view.mesh = DisplayMesh::build(last_.surface,
+                                   options ? *options : map_options(SurfaceMap::shaded, density), cancel);
+    if (!view.mesh) return;
+    map_error_ = options ? std::nullopt : std::optional(options.error());
+    base_mesh_ = view.mesh;
+    base_revision_ = last_.revision;
+    surroundings_ = surroundings;
+    rough_ = place.rough && !is_local(map);
+  }
+  view.map_error = map_error_;
+  if (has_values(map) && !map_error_) take_range(object, surroundings.limit, view);
+  map_ = map;
+}
+
 /// Sets the map's range. During a drag it stays fixed, so that colours remain comparable.
-void SurfaceBuilder::take_range(const Object& object, SurfaceView& view) {
+void SurfaceBuilder::take_range(const Object& object, double limit, SurfaceView& view) {
   const SurfaceMap map = object.display.map;
   const MapRange& settings = range_of(object.display, map);
-  if (view.quality == Quality::final || map != map_ || !(settings == range_settings_)) {
+  if (view.quality == Quality::final || map != map_ || !(settings == range_settings_) ||
+      (has_limit(map) && range_.centre != limit)) {
     const auto values = values_of(*view.mesh, map);
-    range_ = value_range(map, settings, values);
+    range_ = value_range(map, settings, values, limit);
     histogram_ = histogram(values, range_, histogram_bins);
     range_settings_ = settings;
   }

@@ -6,6 +6,7 @@
 
 #include "app/engines/rebuild_engine.hpp"
 #include "core/modeling/surfacing/object_surfacer.hpp"
+#include "render/surface_maps.hpp"
 
 namespace hariko {
 
@@ -13,7 +14,7 @@ namespace hariko {
 class SurfaceBuilder final : public ViewBuilder {
  public:
   SurfaceView build(const std::shared_ptr<const Object>& object, const ObjectPointers& neighbours,
-                    Quality quality, const CancelToken& cancel) override;
+                    const MapSurroundings& surroundings, Quality quality, const CancelToken& cancel) override;
   ContinuityReport measure(const Surface& surface, const CancelToken& cancel) override;
   double progress() const override { return surfacer_.progress().fraction(); }
 
@@ -21,7 +22,10 @@ class SurfaceBuilder final : public ViewBuilder {
   Result<PolyhedronSurface> surface_of(const Object& object, const ObjectPointers& neighbours,
                                        Quality quality, const CancelToken& cancel);
 
-  void take_range(const Object& object, SurfaceView& view);
+  MapPlace place_of(const Object& object, const MapSurroundings& surroundings);
+  void take_mesh(const Object& object, const MapSurroundings& surroundings, bool fresh, SurfaceView& view,
+                 const CancelToken& cancel);
+  void take_range(const Object& object, double limit, SurfaceView& view);
 
   ObjectSurfacer surfacer_;
   std::shared_ptr<const Object> made_from_;  ///< object from which last_ was made
@@ -32,6 +36,10 @@ class SurfaceBuilder final : public ViewBuilder {
   std::uint64_t base_revision_ = 0, facet_revision_ = 0;
   std::shared_ptr<const CombLines> combs_;  ///< combs of last_
   SurfaceMap map_ = SurfaceMap::shaded;
+  MapSurroundings surroundings_;  ///< of `base_mesh_`
+  bool rough_ = false;            ///< whether the values of `base_mesh_` are those of a gesture
+  std::optional<Message> map_error_;
+  std::shared_ptr<const DeviationReference> reference_;  ///< of `surroundings_`; null where unused
   MapRange range_settings_;
   ValueRange range_;
   std::vector<float> histogram_;

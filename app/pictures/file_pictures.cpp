@@ -31,7 +31,7 @@ SceneObject part_of(const Document& document, const std::shared_ptr<const Object
                     const CancelToken& cancel) {
   SceneObject out;
   SurfaceBuilder builder;
-  out.mesh = builder.build(object, neighbours_of(document, object->id), Quality::final, cancel).mesh;
+  out.mesh = builder.build(object, neighbours_of(document, object->id), {}, Quality::final, cancel).mesh;
   out.polyhedron = lines_of(document, *object);
   out.transform = matrix_of(object->transform);
   // The network of anything but a polyhedron is dense and would hide the source.

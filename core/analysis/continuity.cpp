@@ -160,7 +160,8 @@ void compare_normals(const SeamPoints& points, const std::array<Vector3, 2>& pla
     } else {
       jump = jump_between(n, m);
       // Both normals consist of rounding errors where a surface is nearly singular along a seam.
-      if (!jump.folded && beyond_resolution(p) && jump.angle <= turn_by_rounding(p) + turn_by_rounding(q)) {
+      if (!jump.folded && (beyond_resolution(p) || beyond_resolution(q)) &&
+          jump.angle <= turn_by_rounding(p) + turn_by_rounding(q)) {
         ++out.degenerate;
         continue;
       }

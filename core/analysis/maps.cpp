@@ -26,6 +26,8 @@ double pick(const Curvature& at, MapKind kind) {
       return at.k1;
     case MapKind::k2:
       return at.k2;
+    case MapKind::largest:
+      return std::max(std::abs(at.k1), std::abs(at.k2));
   }
   return 0;
 }

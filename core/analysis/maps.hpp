@@ -9,7 +9,13 @@
 
 namespace hariko {
 
-enum class MapKind { gauss, mean, k1, k2 };
+enum class MapKind {
+  gauss,
+  mean,
+  k1,
+  k2,
+  largest,  ///< the larger of |k1| and |k2|
+};
 
 /// Curvature map: values[k * n + i] for grid point i of patches[k], n = pattern.point_count(). NaN where the
 /// curvature is undefined: where there is no normal, and at corners without second derivatives. At corners

@@ -28,6 +28,9 @@ class SurfaceProjector {
 
   /// Closest point; positions are relative to the surface's origin.
   SurfaceFoot foot(const Vector3& point) const;
+  /// Side of the fine mesh that a point is on, see `TriangleTree::side`: at edges, where closest points have
+  /// several normals.
+  double side(const Vector3& point) const { return tree_.side(point, tree_.nearest(point)); }
 
  private:
   struct Net;

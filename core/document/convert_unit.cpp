@@ -1,5 +1,6 @@
 #include "core/document/convert_unit.hpp"
 
+#include <algorithm>
 #include <numeric>
 
 #include "core/polyhedron/validation.hpp"
@@ -102,6 +103,19 @@ void scale_outline(OutlineSource& source, double factor) {
   if (source.settings.gap) *source.settings.gap *= factor;
 }
 
+/// Scales the points that are numbers; what names an element follows it.
+Dimensions scaled_dimensions(Dimensions dimensions, double factor) {
+  for (Dimension& dimension : dimensions) {
+    dimension.label *= factor;
+    for (Anchor& anchor : dimension.anchors) {
+      if (auto* space = std::get_if<SpaceAnchor>(&anchor)) space->point *= factor;
+      if (auto* placed = std::get_if<ObjectAnchor>(&anchor)) placed->point *= factor;
+      if (auto* nearest = std::get_if<NearestAnchor>(&anchor)) nearest->point *= factor;
+    }
+  }
+  return dimensions;
+}
+
 }  // namespace
 
 Result<Document> convert_unit(const Document& document, Unit unit) {
@@ -114,6 +128,11 @@ Result<Document> convert_unit(const Document& document, Unit unit) {
     paper.distance *= factor;
     paper.settings.scale /= factor;
     result.paper = std::make_shared<const PaperModel>(std::move(paper));
+  }
+  if (!document.dimensions->empty()) {
+    result.dimensions = scaled_dimensions(*document.dimensions, factor);
+    if (!std::all_of(result.dimensions->begin(), result.dimensions->end(), is_sound))
+      return make_error(e_nonfinite, "A dimension would lie infinitely far away.", "Choose another unit.");
   }
   for (auto& shared : result.objects) {
     Object object = *shared;

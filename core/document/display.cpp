@@ -40,6 +40,14 @@ std::optional<std::size_t> range_slot(SurfaceMap map) {
       return 3;
     case SurfaceMap::continuity:
       return 4;
+    case SurfaceMap::draft:
+      return 5;
+    case SurfaceMap::radius:
+      return 6;
+    case SurfaceMap::thickness:
+      return 7;
+    case SurfaceMap::deviation:
+      return 8;
     case SurfaceMap::shaded:
     case SurfaceMap::patches:
     case SurfaceMap::zebra:

@@ -26,8 +26,12 @@ enum class SurfaceMap : std::uint8_t {
   principal_min,  ///< smaller principal curvature
   continuity,     ///< relative jump of curvature across edges
   isophotes,      ///< lines of equal angle to a direction
+  draft,          ///< angle to the direction in which a mould opens
+  radius,         ///< smallest radius of curvature
+  thickness,      ///< of the walls of closed surfaces
+  deviation,      ///< signed distance from a reference
 };
-inline constexpr int surface_map_count = 9;
+inline constexpr int surface_map_count = 13;
 
 /// Light reflection of the surface in the map `shaded`.
 enum class Material : std::uint8_t { clay, porcelain, metal, wax, rubber, plastic };
@@ -50,6 +54,9 @@ struct MapRange {
   double low = -1, high = 1;
   friend bool operator==(const MapRange&, const MapRange&) = default;
 };
+
+/// Ranges of the maps with values, see `range_slot`.
+using MapRanges = std::array<MapRange, 9>;
 
 /// Patch lines drawn on the surface.
 enum class PatchWire : std::uint8_t { none, borders, mesh };
@@ -79,8 +86,7 @@ struct DisplaySettings {
   bool tensions = false;  ///< tensions as colours and numbers on the polyhedron
   bool marks = false;     ///< continuity of the edges: G0, G1, G2
   CombSettings combs{};
-  /// Ranges of the maps with values, see `range_slot`.
-  std::array<MapRange, 5> ranges{};
+  MapRanges ranges{};
 
   static constexpr int min_density = 1, max_density = 64;
   friend bool operator==(const DisplaySettings&, const DisplaySettings&) = default;

@@ -8,8 +8,10 @@
 
 #include "core/base/ids.hpp"
 #include "core/base/result.hpp"
+#include "core/document/dimension.hpp"
 #include "core/document/display.hpp"
 #include "core/document/history/shared.hpp"
+#include "core/document/making.hpp"
 #include "core/document/paper_model.hpp"
 #include "core/document/similarity.hpp"
 #include "core/document/source.hpp"
@@ -75,9 +77,12 @@ struct Document {
   std::vector<std::shared_ptr<const Object>> objects;
   ObjectId next_object_id{1};
   std::shared_ptr<const PaperModel> paper;  ///< null: there is no paper model
+  Shared<Dimensions> dimensions;            ///< in the order in which they were made; ids are unique
+  MakingSettings making;                    ///< how the parts are going to be made
   Shared<KeptMembers> kept;
 
   static constexpr std::size_t max_objects = 100000;
+  static constexpr std::size_t max_dimensions = 10000;
 
   /// Object with this id, or nullptr. O(objects).
   const Object* find(ObjectId id) const;

@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <span>
 
 #include "core/base/vector.hpp"
@@ -81,6 +82,20 @@ class ClosedTriangle {
     return worst;
   }
   double distance(const Vector3& p) const { return std::sqrt(squared_distance(p)); }
+  /// Signed distance of `p` to the plane, positive on the side that the normal points to; 0 without an area.
+  double height(const Vector3& p) const { return normal_.dot(p - p_[0]); }
+  /// Distance along a ray of unit direction to the point in which it meets the triangle, negative behind the
+  /// ray's begin. The triangle is enlarged by `rim` of its size, so that no ray slips between neighbours.
+  /// Nothing for rays that miss it or lie in its plane, and for triangles without area.
+  std::optional<double> meets(const Vector3& begin, const Vector3& direction, double rim) const {
+    const double slope = normal_.dot(direction);
+    if (slope == 0) return std::nullopt;
+    const double along = -height(begin) / slope;
+    const Vector3 w = begin + along * direction - p_[0];
+    const double b = second_.dot(w), c = third_.dot(w);
+    if (!(b >= -rim && c >= -rim && b + c <= 1 + rim)) return std::nullopt;
+    return along;
+  }
 
  private:
   /// Whether a projection lies inside; projections on a side count, although rounding may put them beyond it.

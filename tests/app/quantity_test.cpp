@@ -19,6 +19,20 @@ TEST(Quantity, lengths_have_three_decimals_after_the_size_of_the_model) {
   EXPECT_EQ(format_quantity(length_quantity(Unit::millimetre, 0), 1.5), "1.5 mm") << "an empty model";
 }
 
+TEST(Quantity, measured_lengths_have_five_digits_after_their_own_first) {
+  const auto text = [](double length) {
+    return format_quantity(measured_length(Unit::millimetre, length), length);
+  };
+  EXPECT_EQ(text(100), "100 mm");
+  EXPECT_EQ(text(123.456789), "123.457 mm");
+  EXPECT_EQ(text(12.3456789), "12.3457 mm");
+  EXPECT_EQ(text(-12.3456789), "-12.3457 mm");
+  EXPECT_EQ(text(0.00123456789), "0.00123457 mm");
+  EXPECT_EQ(text(0), "0 mm");
+  EXPECT_EQ(text(99.99999999), "100 mm") << "noise of computing does not show";
+  EXPECT_EQ(format_quantity(measured_area(Unit::centimetre, 2.5), 2.5), "2.5 cm\u00b2");
+}
+
 TEST(Quantity, writes_no_zeros_at_the_end_and_no_negative_zero) {
   const Quantity length = length_quantity(Unit::millimetre, 2);
   EXPECT_EQ(format_quantity(length, 3), "3 mm");

@@ -22,8 +22,8 @@ struct Script {
 class FakeBuilder final : public ViewBuilder {
  public:
   explicit FakeBuilder(std::shared_ptr<Script> script) : script_(std::move(script)) {}
-  SurfaceView build(const std::shared_ptr<const Object>& object, const ObjectPointers&, Quality quality,
-                    const CancelToken& cancel) override {
+  SurfaceView build(const std::shared_ptr<const Object>& object, const ObjectPointers&,
+                    const MapSurroundings&, Quality quality, const CancelToken& cancel) override {
     Script& script = *script_;
     script.most_running = std::max<int>(script.most_running, ++script.running);
     ++script.builds;

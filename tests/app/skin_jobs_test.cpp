@@ -162,8 +162,8 @@ TEST(SkinJobs, ASectionDoesNotWaitForFiles) {
 /// A surface whose columns are being placed until it is cancelled.
 class PlacingBuilder : public ViewBuilder {
  public:
-  SurfaceView build(const std::shared_ptr<const Object>& object, const ObjectPointers&, Quality,
-                    const CancelToken& cancel) override {
+  SurfaceView build(const std::shared_ptr<const Object>& object, const ObjectPointers&,
+                    const MapSurroundings&, Quality, const CancelToken& cancel) override {
     while (!cancel.cancelled()) std::this_thread::yield();
     SurfaceView view;
     view.object = object;

@@ -148,6 +148,41 @@ TEST_F(Info, DocumentInItsOwnUnitAndScale) {
   EXPECT_NEAR(block["bending"].get<double>(), 27.0618627308, 1e-9);
 }
 
+TEST_F(Info, ListsDimensions) {
+  const auto mesh = read_mesh_file(golden("cube.obj"));
+  ASSERT_TRUE(mesh.ok());
+  Document document = document_from_mesh(mesh->mesh, "block").value();
+  const ObjectId id = document.objects[0]->id;
+  const auto corner = [&](std::uint32_t vertex) { return VertexAnchor{id, VertexId{vertex}}; };
+  document.dimensions = Dimensions{
+      {{1}, DimensionKind::distance, {corner(0), corner(1)}, Vector3::Zero()},
+      {{2}, DimensionKind::angle, {corner(1), corner(0), SpaceAnchor{{-1, -1, 5}}}, Vector3::Zero()},
+      {{3}, DimensionKind::radius, {PatchAnchor{id, element_of(FaceId{0}), 1, {0.3, 0.3}}}, Vector3::Zero()},
+      {{4}, DimensionKind::distance, {corner(0), corner(99)}, Vector3::Zero()}};
+  ASSERT_TRUE(save_document(document, path("block.hariko")).ok());
+  const Outcome result = run("info '" + path("block.hariko") + "' --json");
+  ASSERT_EQ(result.exit_code, 0) << result.error;
+  const Json list = result.json()["dimensions"];
+  ASSERT_EQ(list.size(), 4U);
+  EXPECT_EQ(list[0]["kind"], "distance");
+  EXPECT_DOUBLE_EQ(list[0]["value"].get<double>(), 2);
+  EXPECT_EQ(list[0]["anchors"][1], "vertex 1 of block");
+  EXPECT_EQ(list[0]["points"].size(), 2U);
+  EXPECT_FALSE(list[0].contains("radii"));
+  EXPECT_NEAR(list[1]["value"].get<double>(), 90, 1e-9);
+  EXPECT_EQ(list[1]["anchors"][2], "(-1, -1, 5)");
+  EXPECT_EQ(list[2]["radii"].size(), 2U);
+  EXPECT_GT(list[2]["value"].get<double>(), 0.5);
+  EXPECT_TRUE(list[3]["value"].is_null()) << "the file names a vertex that is not there";
+  const Outcome text = run("info '" + path("block.hariko") + "'");
+  EXPECT_NE(text.out.find("dimensions            4\n"), std::string::npos) << text.out;
+  EXPECT_NE(text.out.find("distance              2 mm  (vertex 0 of block - vertex 1 of block)\n"),
+            std::string::npos)
+      << text.out;
+  EXPECT_NE(text.out.find("angle                 90 degrees"), std::string::npos);
+  EXPECT_EQ(run("info '" + golden("cube.obj") + "'").out.find("dimensions"), std::string::npos);
+}
+
 /// A local edit (kuriyama.md section 10): tangents round a vertex are fixed, then it moves.
 TEST_F(Info, CountsThePatchesThatALocalEditLeavesAlone) {
   for (const char* mode : {"paper", "target", "fair", "g2"}) {

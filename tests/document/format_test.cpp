@@ -119,6 +119,80 @@ TEST(Format, EqualityNoticesEveryField) {
   EXPECT_FALSE(other == document);
 }
 
+TEST(Format, EqualityNoticesEveryFieldOfADimension) {
+  const Dimension plain{DimensionId{3},
+                        DimensionKind::distance,
+                        {VertexAnchor{test::cube_id, VertexId{0}}, SpaceAnchor{Vector3(1, 2, 3)}},
+                        Vector3::Zero()};
+  const auto with = [](const Dimension& dimension) {
+    Document document = test::cube_document();
+    document.dimensions = Dimensions{dimension};
+    return document;
+  };
+  const Document document = with(plain);
+  EXPECT_EQ(*read_document(write_document(document)), document);
+  const auto changed = [&](auto&& change) {
+    Dimension other = plain;
+    change(other);
+    EXPECT_FALSE(with(other) == document);
+    const Result<Document> again = read_document(write_document(with(other)));
+    ASSERT_TRUE(again) << message_of(again);
+    EXPECT_TRUE(*again == with(other)) << write_document(*again);
+  };
+  changed([](Dimension& d) { d.id.value = 4; });
+  changed([](Dimension& d) { d.label.y() = 0.5; });
+  changed([](Dimension& d) {
+    d.kind = DimensionKind::angle;
+    d.anchors.push_back(SpaceAnchor{});
+  });
+  const std::vector<Anchor> others{
+      SpaceAnchor{Vector3(1, 2, 4)},
+      ObjectAnchor{test::cube_id, Vector3(1, 2, 3), {}},
+      ObjectAnchor{test::cube_id, Vector3(1, 2, 3), 7U},
+      VertexAnchor{test::cube_id, VertexId{1}},
+      VertexAnchor{test::cube_id, VertexId{0}, true},
+      VertexAnchor{ObjectId{9}, VertexId{0}},
+      EdgeAnchor{test::cube_id, EdgeId::of({0}, {1}), 0.25, false},
+      EdgeAnchor{test::cube_id, EdgeId::of({0}, {1}), 0.25, true},
+      EdgeAnchor{test::cube_id, EdgeId::of({0}, {1}), 1, true},
+      PatchAnchor{test::cube_id, element_of(FaceId{2}), 3, {0.25, 0.5}},
+      PatchAnchor{test::cube_id, element_of(EdgeId::of({4}, {6})), 65537, {0, 1}},
+      NearestAnchor{test::cube_id, Vector3(1, 2, 3)}};
+  for (const Anchor& anchor : others) changed([&](Dimension& d) { d.anchors[1] = anchor; });
+}
+
+TEST(Format, DimensionsOutOfAllOrderAreRefused) {
+  const std::string text = file_text("tests/document/fixtures/v7.hariko");
+  const auto with = [&](const std::string& from, const std::string& to) {
+    std::string changed = text;
+    EXPECT_NE(changed.find(from), std::string::npos) << from;
+    changed.replace(changed.find(from), from.size(), to);
+    return read_document(changed);
+  };
+  ASSERT_TRUE(with("\"share\": 0.25", "\"share\": 1"));
+  const std::pair<const char*, const char*> faults[] = {
+      {"{\"id\": 2,", "{\"id\": 1,"},
+      {"\"kind\": \"angle\"", "\"kind\": \"distance\""},
+      {"\"kind\": \"angle\"", "\"kind\": \"bend\""},
+      {"\"share\": 0.25", "\"share\": 1.25"},
+      {"\"edge\": [4, 5]", "\"edge\": [5, 4]"},
+      {"\"at\": [0.25, 0.5]", "\"at\": [0.25, 1.5]"},
+      {"\"patch\": [\"face\", 1]", "\"patch\": [\"edge\", 1]"},
+      {"{\"object\": 2, \"nearest\": [3, 0, 0.5]}", "{\"object\": 1, \"vertex\": 4}"},
+      {"{\"point\": [1, 2, 3]}", "{\"vertex\": 3}"},
+      {"{\"point\": [1, 2, 3]}", "{}"},
+      {"{\"point\": [1, 2, 3]}", "{\"point\": [1, 2, 3], \"object\": 1, \"vertex\": 3}"},
+      {"{\"point\": [1, 2, 3]}", "{\"point\": [1, 2, 3], \"later\": 1}"},
+      {"\"label\": [0, -0.5, 1.25]", "\"label\": [0, -0.5]"},
+      {"\"label\": [0, -0.5, 1.25]", "\"colour\": 1"}};
+  for (const auto& [from, to] : faults) {
+    const Result<Document> read = with(from, to);
+    ASSERT_FALSE(read) << to;
+    EXPECT_EQ(read.error().code, e_schema) << to;
+    EXPECT_NE(read.error().text.find("dimensions"), std::string::npos) << read.error().text;
+  }
+}
+
 TEST(Format, FixtureOfVersion1ReadsForEver) {
   const std::string text = file_text("tests/document/fixtures/v1.hariko");
   const Result<Document> read = read_document(text);
@@ -307,6 +381,40 @@ TEST(Format, FixtureOfVersion5ReadsForEver) {
   EXPECT_EQ(write_document(*read), with_rows_of_forms_now(as_written_now(text, 5)));
 }
 
+TEST(Format, FixtureOfVersion6ReadsForEver) {
+  const std::string text = file_text("tests/document/fixtures/v6.hariko");
+  const Result<Document> read = read_document(text);
+  ASSERT_TRUE(read) << message_of(read);
+  ASSERT_EQ(read->objects.size(), 3U);
+  EXPECT_EQ(read->objects[0]->polyhedron()->shaping->form.find({4})->edges[0].lean, 0.03125);
+  EXPECT_TRUE(read->objects[1]->solids()->input->settings.on_faces);
+  EXPECT_EQ(read->objects[1]->solids()->input->solids[2].bridge, (Bridge{{0, 1}, 0.75}));
+  EXPECT_EQ(read->objects[2]->picture()->look.layer, PictureLayer::behind);
+  EXPECT_TRUE(read->dimensions->empty());
+  EXPECT_EQ(write_document(*read), as_written_now(text, 6));
+}
+
+TEST(Format, FixtureOfVersion7ReadsForEver) {
+  const std::string text = file_text("tests/document/fixtures/v7.hariko");
+  const Result<Document> read = read_document(text);
+  ASSERT_TRUE(read) << message_of(read);
+  const Dimensions& dimensions = *read->dimensions;
+  ASSERT_EQ(dimensions.size(), 6U);
+  EXPECT_EQ(dimensions[0].anchors[1], Anchor(VertexAnchor{ObjectId{1}, VertexId{5}}));
+  EXPECT_EQ(dimensions[1].anchors[0], Anchor(EdgeAnchor{ObjectId{1}, EdgeId::of({4}, {5}), 0.25, false}));
+  EXPECT_EQ(dimensions[1].anchors[1], Anchor(EdgeAnchor{ObjectId{1}, EdgeId::of({5}, {6}), 0.5, true}));
+  EXPECT_EQ(dimensions[1].label, Vector3(0, -0.5, 1.25));
+  EXPECT_EQ(dimensions[2].kind, DimensionKind::angle);
+  EXPECT_EQ(dimensions[2].anchors[1], Anchor(ObjectAnchor{ObjectId{2}, Vector3(0.5, 0, 0), 0U}));
+  EXPECT_EQ(dimensions[2].anchors[2], Anchor(SpaceAnchor{Vector3(1, 2, 3)}));
+  EXPECT_EQ(dimensions[3].id, DimensionId{5});
+  EXPECT_EQ(dimensions[3].anchors[0],
+            Anchor(PatchAnchor{ObjectId{1}, element_of(FaceId{1}), 2, Vector2(0.25, 0.5)}));
+  EXPECT_EQ(dimensions[4].anchors[0], Anchor(NearestAnchor{ObjectId{2}, Vector3(3, 0, 0.5)}));
+  EXPECT_EQ(dimensions[5].anchors[0], Anchor(ObjectAnchor{ObjectId{3}, Vector3(-60, 0, 0), {}}));
+  EXPECT_EQ(write_document(*read), as_written_now(text, 7));
+}
+
 TEST(Format, LeansAndSidesOfKeptFormsAreSaved) {
   std::string text =
       with_rows_of_forms_now(as_written_now(file_text("tests/document/fixtures/v5.hariko"), 5));
@@ -423,7 +531,7 @@ TEST(Format, OnlyEssentialsAreNeeded) {
 TEST(Format, EmptyDocument) {
   EXPECT_EQ(
       write_document({}),
-      "{\n  \"format\": \"hariko\",\n  \"version\": 6,\n  \"unit\": \"mm\",\n  \"next_object_id\": 1,\n  "
+      "{\n  \"format\": \"hariko\",\n  \"version\": 7,\n  \"unit\": \"mm\",\n  \"next_object_id\": 1,\n  "
       "\"objects\": []\n}\n");
 }
 

@@ -241,6 +241,56 @@ inline PaperModel any_paper(std::mt19937_64& rng) {
   return paper;
 }
 
+/// The element that an anchor names need not exist.
+inline Anchor any_anchor(std::mt19937_64& rng, bool on_surface) {
+  const ObjectId object{static_cast<std::uint32_t>(uniform_int(rng, 1, 9))};
+  const auto id = [&] { return static_cast<std::uint32_t>(uniform_int(rng, 0, 40)); };
+  switch (on_surface ? uniform_int(rng, 4, 5) : uniform_int(rng, 0, 5)) {
+    case 0:
+      return SpaceAnchor{any_vector(rng)};
+    case 1:
+      return ObjectAnchor{object, any_vector(rng), chance(rng, 0.5) ? std::optional(id()) : std::nullopt};
+    case 2:
+      return VertexAnchor{object, VertexId{id()}, chance(rng, 0.3)};
+    case 3: {
+      const std::uint32_t low = id();
+      return EdgeAnchor{object, EdgeId::of({low}, {low + 1 + id()}), uniform(rng, 0, 1), chance(rng, 0.5)};
+    }
+    case 4: {
+      const Element element = chance(rng, 0.7) ? element_of(FaceId{id()}) : element_of(EdgeId::of({3}, {8}));
+      return PatchAnchor{object, element, id() + (chance(rng, 0.3) ? 65536U : 0U),
+                         Vector2(uniform(rng, 0, 1), uniform(rng, 0, 1))};
+    }
+    default:
+      return NearestAnchor{object, any_vector(rng)};
+  }
+}
+
+inline Dimensions any_dimensions(std::mt19937_64& rng) {
+  Dimensions out;
+  for (std::uint32_t id = 0; chance(rng, 0.7) && id < 30;) {
+    id += static_cast<std::uint32_t>(uniform_int(rng, 1, 3));
+    Dimension dimension;
+    dimension.id = {id};
+    dimension.kind = static_cast<DimensionKind>(uniform_int(rng, 0, 2));
+    for (std::size_t i = 0; i < anchor_count(dimension.kind); ++i)
+      dimension.anchors.push_back(any_anchor(rng, dimension.kind == DimensionKind::radius));
+    if (chance(rng, 0.5)) dimension.label = any_vector(rng);
+    out.push_back(std::move(dimension));
+  }
+  return out;
+}
+
+inline MakingSettings any_making(std::mt19937_64& rng) {
+  MakingSettings out;
+  out.pull = Vector3(uniform(rng, -1, 1), uniform(rng, -1, 1), uniform(rng, 0.1, 1));
+  out.draft = uniform(rng, 0, MakingSettings::max_draft);
+  out.radius = log_uniform(rng, 1e-6, 1e6);
+  out.thickness = log_uniform(rng, 1e-6, 1e6);
+  if (chance(rng, 0.5)) out.reference.value = static_cast<std::uint32_t>(uniform_int(rng, 0, 9));
+  return out;
+}
+
 inline Document any_document(std::mt19937_64& rng) {
   Document document;
   document.unit = static_cast<Unit>(uniform_int(rng, 0, 3));
@@ -251,6 +301,8 @@ inline Document any_document(std::mt19937_64& rng) {
   }
   if (chance(rng, 0.3)) std::reverse(document.objects.begin(), document.objects.end());
   document.kept = any_kept(rng);
+  if (chance(rng, 0.5)) document.dimensions = any_dimensions(rng);
+  if (chance(rng, 0.3)) document.making = any_making(rng);
   if (chance(rng, 0.5)) document.paper = std::make_shared<const PaperModel>(any_paper(rng));
   return document;
 }

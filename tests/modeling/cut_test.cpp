@@ -13,10 +13,6 @@ using namespace test;
 using Vertices = std::vector<VertexId>;
 using Edges = std::vector<EdgeId>;
 
-EdgeId edge(std::uint32_t a, std::uint32_t b) {
-  return EdgeId::of({a}, {b});
-}
-
 PolygonMesh ell() {
   PolygonMesh mesh;
   mesh.positions = {{0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {1, 1, 0}, {1, 2, 0}, {0, 2, 0}};

@@ -13,10 +13,6 @@ namespace {
 
 using namespace test;
 
-EdgeId edge(std::uint32_t a, std::uint32_t b) {
-  return EdgeId::of({a}, {b});
-}
-
 TEST(EdgePaths, OnATorus) {
   const Polyhedron torus = source_of(test::torus(8, 5)).polyhedron;
   EXPECT_EQ(edge_loop(torus, edge(0, 5)).size(), 8U);

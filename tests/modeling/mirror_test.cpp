@@ -14,6 +14,7 @@
 #include "core/network/vertex_frames.hpp"
 #include "core/polyhedron/volume.hpp"
 #include "tests/modeling/operation_cases.hpp"
+#include "tests/modeling/support.hpp"
 
 namespace hariko {
 namespace {

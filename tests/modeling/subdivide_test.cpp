@@ -14,10 +14,6 @@ using namespace test;
 using Faces = std::vector<FaceId>;
 using Edges = std::vector<EdgeId>;
 
-EdgeId edge(std::uint32_t a, std::uint32_t b) {
-  return EdgeId::of({a}, {b});
-}
-
 TEST(SubdivideEdges, EvenlySpaced) {
   const PolyhedronSource cube = source_of(test::cube());
   const EditResult out = subdivide_edges(cube, Edges{edge(0, 1)}, 3).value();

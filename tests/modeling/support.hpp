@@ -28,6 +28,11 @@ inline PolyhedronSource source_of(const PolygonMesh& mesh) {
   return PolyhedronSource::from_mesh(mesh).value();
 }
 
+/// Edge between two vertices, by their ids.
+inline EdgeId edge(std::uint32_t a, std::uint32_t b) {
+  return EdgeId::of({a}, {b});
+}
+
 /// Ids with gaps, so that ids and dense indices cannot be mistaken for each other.
 inline PolyhedronSource with_gaps(PolyhedronSource source, std::mt19937_64& rng) {
   const Polyhedron& polyhedron = source.polyhedron;

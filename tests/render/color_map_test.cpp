@@ -22,13 +22,16 @@ double lightness(Color c) {
 }
 
 TEST(ColorMap, WordsGoBothWays) {
-  for (const char* word :
-       {"shaded", "patches", "zebra", "gauss", "mean", "k1", "k2", "continuity", "isophotes"})
+  for (const char* word : {"shaded", "patches", "zebra", "gauss", "mean", "k1", "k2", "continuity",
+                           "isophotes", "draft", "radius", "thickness", "deviation"})
     EXPECT_EQ(word_of(*surface_map_from(word)), word);
   EXPECT_FALSE(surface_map_from("gaussian"));
   EXPECT_EQ(unit_of(SurfaceMap::gaussian, "mm"), "1/mm\u00b2");
   EXPECT_EQ(unit_of(SurfaceMap::mean, "in"), "1/in");
   EXPECT_EQ(unit_of(SurfaceMap::shaded, "mm"), "");
+  EXPECT_EQ(unit_of(SurfaceMap::draft, "mm"), "\u00b0");
+  for (const SurfaceMap map : {SurfaceMap::radius, SurfaceMap::thickness, SurfaceMap::deviation})
+    EXPECT_EQ(unit_of(map, "in"), "in");
 }
 
 TEST(ColorMap, SequentialGetsSteadilyLighter) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "core/document/edits/edits.hpp"
@@ -54,9 +55,12 @@ std::function<bool()> shows(const Editor& editor, Get get) {
 /// Why no surface could show a map.
 Reason nothing_shows(const Editor& editor, SurfaceMap map) {
   const auto& objects = editor.document().objects;
-  if (std::any_of(objects.begin(), objects.end(),
-                  [&](const auto& object) { return object->visible && can_show(*object, map); }))
-    return {};
+  const auto able = std::count_if(objects.begin(), objects.end(), [&](const auto& object) {
+    return object->visible && can_show(*object, map);
+  });
+  if (map == SurfaceMap::deviation && able == 1)
+    return translatable("A deviation needs two visible objects with a surface or facets.");
+  if (able > 0) return {};
   return translatable("No visible object has a surface with this map.");
 }
 
@@ -67,6 +71,10 @@ void show_map(Editor& editor, SurfaceMap map) {
     shown.reset();
   else
     shown = map;
+  const Object* reference = editor.document().find(editor.document().making.reference);
+  if (shown == SurfaceMap::deviation && !(reference && reference->visible))
+    editor.notify(Notice::Kind::info,
+                  editor.language("Choose the reference of the deviation in the properties."));
   std::size_t own = 0;
   for (const auto& object : editor.document().objects)
     own += object->visible && object->has_surface() && object->display.map != SurfaceMap::shaded ? 1 : 0;
@@ -78,10 +86,15 @@ void show_map(Editor& editor, SurfaceMap map) {
                        {std::to_string(own)}));
 }
 
+/// Submenu of the maps of making. Menus show its folders one by one, each by its own name.
+constexpr const char* making_menu = "Analyse/Making";
+static_assert(std::string_view(making_menu).ends_with(translatable("Making")));
+
 void add_maps(CommandHost& host) {
   struct Entry {
     const char *id, *label, *help, *keys;
     SurfaceMap map;
+    const char* menu = "Analyse";
   };
   static const std::array<Entry, surface_map_count> entries{{
       {"analyse.shaded", "Shaded", "Show surfaces in their materials.", "", SurfaceMap::shaded},
@@ -100,6 +113,14 @@ void add_maps(CommandHost& host) {
       {"analyse.continuity", "Continuity", "Colour all edges by how much curvature jumps across them.", "",
        SurfaceMap::continuity},
       {"analyse.patches", "Patches", "Give each patch a colour, on all surfaces.", "", SurfaceMap::patches},
+      {"analyse.draft", "Draft angle", "Mark walls that are too steep to leave a mould, and undercuts.", "",
+       SurfaceMap::draft, making_menu},
+      {"analyse.radius", "Smallest radius", "Mark where all surfaces are bent too tightly for a tool.", "",
+       SurfaceMap::radius, making_menu},
+      {"analyse.thickness", "Wall thickness", "Mark thin walls of all closed surfaces.", "",
+       SurfaceMap::thickness, making_menu},
+      {"analyse.deviation", "Deviation", "Colour all surfaces by their distance from a reference object.", "",
+       SurfaceMap::deviation, making_menu},
   }};
   Editor& editor = host.editor;
   const WhyNot document = needs_document(editor);
@@ -107,7 +128,7 @@ void add_maps(CommandHost& host) {
     const SurfaceMap map = entry.map;
     host.table.add(
         {.id = entry.id,
-         .menu = "Analyse",
+         .menu = entry.menu,
          .label = entry.label,
          .help = entry.help,
          .keys = entry.keys,

@@ -9,6 +9,7 @@
 #include <iterator>
 
 #include "core/document/edits/edits.hpp"
+#include "ui/analysis/making_rows.hpp"
 #include "ui/widgets/choice.hpp"
 #include "ui/widgets/tips.hpp"
 #include "ui/widgets/value_fields.hpp"
@@ -32,7 +33,13 @@ constexpr std::array map_choices{
     Choice{translatable("Continuity"), translatable("How much curvature jumps across the edges")},
     Choice{translatable("Isophotes"),
            translatable("Bands of equal angle between the surface and a direction")},
+    Choice{translatable("Draft angle"), translatable("Angle between the surface and the pull of a mould")},
+    Choice{translatable("Smallest radius"), translatable("Radius of the tighter of the two curvatures")},
+    Choice{translatable("Wall thickness"),
+           translatable("How far it is to the other side of a closed surface")},
+    Choice{translatable("Deviation"), translatable("Distance from another object, which is the reference")},
 };
+static_assert(map_choices.size() == surface_map_count);
 constexpr std::array material_choices{
     Choice{translatable("Clay"), translatable("Matt: shows the form")},
     Choice{translatable("Porcelain"), translatable("White gloss: shows where highlights run")},
@@ -413,6 +420,10 @@ void draw_display(PanelContext& context, const Objects& objects) {
                   [&](const Object& object) { return shown_map(context.editor.view.map, object) == wanted; });
   };
   if (shows(SurfaceMap::zebra) || shows(SurfaceMap::isophotes)) stripe_rows(context);
+  for (const SurfaceMap making :
+       {SurfaceMap::draft, SurfaceMap::radius, SurfaceMap::thickness, SurfaceMap::deviation})
+    if (shows(making)) making_rows(context, making);
+  missing_map_row(context);
   if (map && has_values(*map)) range_rows(context, objects, *map);
   if (shows(SurfaceMap::shaded) || shows(SurfaceMap::isophotes)) material_rows(context, objects);
   show_rows(context, objects);

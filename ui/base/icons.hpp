@@ -45,13 +45,15 @@ inline constexpr const char* add = "\uf067";       // plus
 inline constexpr const char* reset = "\uf0e2";
 inline constexpr const char* record = "\uf111";   // circle
 inline constexpr const char* picture = "\uf03e";  // picture-o
+inline constexpr const char* copy = "\uf0c5";     // files-o
+inline constexpr const char* measure = "\uf07e";  // arrows-h
 
 /// All of the above: only these are taken from the font.
 inline constexpr const char* of_font[] = {
-    select, orbit,   pan,         zoom,        frame, vertex, edge,   face,   open,    folder,
-    file,   save,    import_file, export_file, undo,  redo,   shown,  hidden, locked,  unlocked,
-    trash,  warning, error,       info,        close, up,     scale,  mesh,   current, check,
-    object, search,  keyboard,    settings,    add,   reset,  record, picture};
+    select, orbit,   pan,         zoom,        frame, vertex, edge,   face,    open,    folder,
+    file,   save,    import_file, export_file, undo,  redo,   shown,  hidden,  locked,  unlocked,
+    trash,  warning, error,       info,        close, up,     scale,  mesh,    current, check,
+    object, search,  keyboard,    settings,    add,   reset,  record, picture, copy,    measure};
 
 inline constexpr unsigned short extrude_code = 0xf300, inset_code = 0xf301, bevel_code = 0xf302,
                                 loop_cut_code = 0xf303, knife_code = 0xf304, lasso_code = 0xf305,

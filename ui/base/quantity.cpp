@@ -46,6 +46,18 @@ Quantity length_quantity(Unit unit, double size) {
   return quantity;
 }
 
+Quantity measured_length(Unit unit, double length) {
+  constexpr double two_more_digits = 0.01;
+  return length_quantity(unit, two_more_digits * std::abs(length));
+}
+
+Quantity measured_area(Unit unit, double area) {
+  Quantity quantity = measured_length(unit, area);
+  quantity.unit += "\u00b2";
+  quantity.factors.clear();
+  return quantity;
+}
+
 Quantity angle_quantity() {
   Quantity quantity;
   quantity.unit = "\u00b0";

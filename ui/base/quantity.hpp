@@ -34,6 +34,11 @@ Quantity plain_quantity(int decimals, double step);
 /// Whole numbers.
 Quantity whole_quantity(int low, int high, int standard);
 
+/// A length that was measured: five digits after its own leading one, so "100 mm", "12.3457 mm".
+Quantity measured_length(Unit unit, double length);
+/// The same for an area: "12.5 mm²".
+Quantity measured_area(Unit unit, double area);
+
 /// "12.5 mm". Never "-0".
 std::string format_quantity(const Quantity& quantity, double value);
 /// All digits, for copying: reading it back gives the same bits. With the unit.

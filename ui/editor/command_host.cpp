@@ -93,6 +93,8 @@ WhyNot only_if(WhyNot first, std::function<bool()> holds, const char* otherwise)
 Command switching(Command row, bool& on) {
   row.run = [&on] { on = !on; };
   row.checked = [&on] { return on; };
+  row.script = {.arguments = {optional(on_off_argument("on", row.label, {}))},
+                .run = [&on](const Arguments& given) { on = given.has("on") ? given.on("on") : !on; }};
   return row;
 }
 

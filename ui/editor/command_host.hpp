@@ -56,6 +56,7 @@ Command switching(Command row, bool& on);
 void add_picture_commands(CommandHost& host);
 void add_edit_commands(CommandHost& host);
 void add_object_commands(CommandHost& host);
+void add_arrange_commands(CommandHost& host);
 void add_select_commands(CommandHost& host);
 void add_add_commands(CommandHost& host);
 void add_solid_commands(CommandHost& host);
@@ -69,6 +70,7 @@ void add_recompute_commands(CommandHost& host);
 void add_paper_commands(CommandHost& host);
 void add_view_commands(CommandHost& host);
 void add_analyse_commands(CommandHost& host);
+void add_measure_commands(CommandHost& host);
 /// After all commands are there.
 void fill_context_menus(CommandTable& table);
 void add_language_commands(CommandHost& host);

@@ -59,6 +59,15 @@ void CommandTable::show_in(Context contexts, std::initializer_list<std::string_v
   }
 }
 
+void CommandTable::use_in_scripts(std::string_view id, ScriptUse use) {
+  const auto it =
+      std::find_if(commands_.begin(), commands_.end(), [id](const Command& c) { return c.id == id; });
+  HARIKO_ASSERT(it != commands_.end(), "no command to use in scripts");
+  HARIKO_ASSERT(!it->script.run && it->script.arguments.empty(), "the command has a use in scripts already");
+  HARIKO_ASSERT(use.run || use.arguments.empty(), "arguments need something that takes them");
+  it->script = std::move(use);
+}
+
 std::vector<std::string> CommandTable::menus() const {
   std::vector<std::string> menus;
   for (const Command& command : commands_) {
@@ -144,12 +153,22 @@ CommandTable::Outcome CommandTable::run(std::string_view id) const {
 }
 
 CommandTable::Outcome CommandTable::run(const Command& command) const {
+  return run_by(command, command.run);
+}
+
+CommandTable::Outcome CommandTable::run_in_script(const Command& command, const Arguments& arguments) const {
+  if (!command.scriptable()) return {false, needs_the_window};
+  if (!command.script.run) return run_by(command, command.run);
+  return run_by(command, [&] { command.script.run(arguments); });
+}
+
+CommandTable::Outcome CommandTable::run_by(const Command& command, const std::function<void()>& run) const {
   Outcome outcome{true, {}};
   if (command.why_not)
     if (auto reason = command.why_not()) outcome = {false, std::move(*reason)};
   if (outcome.ran) {
     if (before_run_) before_run_(command);
-    command.run();
+    run();
   }
   if (after_run_) after_run_(command, outcome);
   return outcome;

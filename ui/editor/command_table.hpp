@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "ui/base/key_chord.hpp"
+#include "ui/editor/command_arguments.hpp"
 
 namespace hariko {
 
@@ -31,6 +32,15 @@ struct KeyPress {
   char32_t text = 0;
 };
 
+/// Use of a command in a script, where that differs from the window.
+struct ScriptUse {
+  std::vector<ArgumentSpec> arguments = {};
+  /// Runs in the place of `Command::run`. What it refuses is told by a notice of the editor.
+  std::function<void(const Arguments&)> run = {};
+  /// Surfaces are made first: `why_not` or `run` looks at them.
+  bool looks_at_surfaces = false;
+};
+
 /// A row of the table. Rows name the members that differ from these values.
 struct Command {
   std::string id = {};  ///< "file.open": stable, for tests and key files
@@ -43,6 +53,7 @@ struct Command {
   bool changes_document = false;
   bool separator_before = false;
   bool while_tool_runs = false;  ///< whether its keys work in the middle of a drag or a modal tool
+  bool needs_window = false;     ///< `run` works with the pointer, a dialog or the window itself
   std::function<void()> run = {};
   /// Why the command cannot run now, as a sentence; nothing when it can.
   std::function<std::optional<std::string>()> why_not = {};
@@ -52,7 +63,13 @@ struct Command {
   std::string default_keys = {};     ///< filled in by the table
   /// Whether it stands in a menu; otherwise `menu` tells the palette where what it is about stands.
   bool in_menu = true;
+  ScriptUse script = {};
+
+  bool scriptable() const { return !needs_window || script.run; }
 };
+
+/// Reason of a command that is not `scriptable` in a script.
+inline constexpr const char* needs_the_window = "This command needs the window.";
 
 /// An entry of a key file that could not be used as it stands.
 struct KeyProblem {
@@ -72,6 +89,8 @@ class CommandTable {
   const Command* find(const KeyChord& chord) const;
   /// Puts commands into the context menus of elements. The ids must exist (asserted).
   void show_in(Context contexts, std::initializer_list<std::string_view> ids);
+  /// Says how scripts use a command. The id must exist, and have no use yet (asserted).
+  void use_in_scripts(std::string_view id, ScriptUse use);
   /// Top menus in the order of the bar: File, Edit ... Help; menus that it does not know stand before Help.
   std::vector<std::string> menus() const;
 
@@ -96,8 +115,11 @@ class CommandTable {
   /// Runs a command, or says why not. The id must exist.
   Outcome run(std::string_view id) const;
   Outcome run(const Command& command) const;
+  /// Runs a command as a script does, with arguments that `read_arguments` gave; or says why not.
+  Outcome run_in_script(const Command& command, const Arguments& arguments) const;
 
  private:
+  Outcome run_by(const Command& command, const std::function<void()>& run) const;
   void use_keys(std::size_t command, const std::vector<KeyChord>& keys);
 
   std::vector<Command> commands_;

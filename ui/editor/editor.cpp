@@ -34,6 +34,7 @@ void Editor::open(Document document, std::optional<std::filesystem::path> file) 
   hovered.reset();
   has_document = true;
   kept_probe.reset();
+  dimensions = {};
   references.views.clear();
   // The views start anew; how they are arranged stays.
   layout.views = ViewLayout().views;
@@ -56,6 +57,7 @@ void Editor::begin_recording() {
   last_click.reset();
   left_out.reset();
   kept_probe.reset();
+  dimensions = {};
   last_operation = {};
   recompute = {};
   cursor_note.reset();
@@ -84,7 +86,21 @@ bool Editor::commit(const Result<Document>& result, const std::string& label) {
   }
   const std::uint64_t left = history.serial();
   const ChosenElements chosen{selection, mode};
-  return stepped(left, chosen, history.push(result.value(), label));
+  return stepped(left, chosen, history.push(without_lost_dimensions(result.value()), label));
+}
+
+/// Drops the dimensions whose element a step took away, and says so. Those that have lost nothing but the
+/// surface they lie on stay, without a value.
+Document Editor::without_lost_dimensions(const Document& next) {
+  const Document& before = history.current();
+  if ((next.dimensions->empty() && before.dimensions->empty()) || next.objects == before.objects) return next;
+  const Document left = *remove_dimensions(next, lost_dimensions(next));
+  const std::size_t count = dimensions_that_went(before, left).size();
+  if (count > 0)
+    notify(Notice::Kind::info, fill(language(count == 1 ? "1 dimension went with what it measured."
+                                                        : "{0} dimensions went with what they measured."),
+                                    {std::to_string(count)}));
+  return left;
 }
 
 bool Editor::stepped(std::uint64_t left, const ChosenElements& chosen, bool changed) {
@@ -105,6 +121,7 @@ bool Editor::preview(const Result<Document>& result) {
 bool Editor::commit_preview(const std::string& label) {
   const std::uint64_t left = history.serial();
   const ChosenElements chosen{selection, mode};
+  if (history.in_gesture()) history.preview(without_lost_dimensions(history.shown()));
   return stepped(left, chosen, history.commit_preview(label));
 }
 

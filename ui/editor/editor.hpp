@@ -24,6 +24,7 @@
 #include "ui/base/references.hpp"
 #include "ui/base/settings.hpp"
 #include "ui/base/surface_point.hpp"
+#include "ui/editor/dimension_view.hpp"
 #include "ui/editor/gauss_view.hpp"
 #include "ui/editor/guide.hpp"
 #include "ui/editor/last_operation.hpp"
@@ -71,6 +72,7 @@ struct ViewSettings {
   bool x_ray = false;
   bool bodies = true;  ///< solids show translucent through the surface round them
   bool grid = true;
+  bool dimensions = true;
 };
 
 /// How pointing selects.
@@ -109,6 +111,7 @@ class Editor {
   Settings settings;
   FrameTimes frame_times;
   Recompute recompute;
+  DimensionView dimensions;                ///< with their values; `update` brings them up to date
   std::optional<SurfacePoint> kept_probe;  ///< its readings stay on the screen and follow the surface
   Language language;                       ///< the catalogue of settings.language
   LastOperation last_operation;
@@ -202,6 +205,7 @@ class Editor {
   Camera framed_all(const Camera& camera, PixelSize size) const;
   void show(Notice notice);
   bool stepped(std::uint64_t left, const ChosenElements& chosen, bool changed);
+  Document without_lost_dimensions(const Document& next);
 
   SelectionMemory selections_;
   std::optional<History> before_recording_;

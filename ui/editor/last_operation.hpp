@@ -1,7 +1,9 @@
 #pragma once
 
-// LastOperation: a step whose numbers can still be changed right after it was made.
+// LastOperation: a step whose numbers can still be changed right after it was made, and that can be made
+// again on what is selected then.
 
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <span>
@@ -21,37 +23,80 @@ struct OperationNumber {
   double value = 0;
   double low = 0, high = 0;
   bool whole = false;  ///< a count; others are lengths in the document's unit
+  bool angle = false;  ///< in degrees instead of a length
+  /// Names of the values 0, 1, ..., English, which then are a list instead of a number.
+  std::vector<const char*> choices = {};
 };
 
-/// Result of an operation with these numbers on a document, the object that is then active, and what of it
-/// is selected.
+/// Result of an operation with these numbers on a document, the object that is then active, and what is
+/// selected.
 struct OperationResult {
   Document document;
   ObjectId active;
-  ElementSelection selected = {};
+  ElementSelection selected = {};      ///< of the active object
+  std::vector<ObjectId> objects = {};  ///< whole objects; empty: those that were chosen stay so
+  bool keeps_selection = false;        ///< what was selected stays so, and is active as before
+  bool selects_as_operation = false;   ///< `selected` is for `select_result`
 };
 using MakeOperation =
     std::function<Result<OperationResult>(const Document&, std::span<const OperationNumber>)>;
 
-/// Can be adjusted as long as the document is the one that it made.
+/// An operation on what is selected in an editor.
+struct BegunOperation {
+  MakeOperation make;
+  std::string label = {};  ///< of its step; empty: as before
+};
+/// Begins an operation anew, on what is selected then, or says why it cannot be.
+using BeginOperation = std::function<Result<BegunOperation>(const Editor&)>;
+
+struct OperationStep {
+  std::string label;
+  std::vector<OperationNumber> numbers;
+  MakeOperation make;         ///< empty: of a step that was taken up and cannot be adjusted
+  BeginOperation begin = {};  ///< for repeating; empty: `make` is repeated
+};
+
+/// Can be adjusted as long as the document is the one that it made, and repeated as long as no other step of
+/// the same document was made after it.
 class LastOperation {
  public:
   /// Makes the step. False, with a notice, when it is refused.
-  bool run(Editor& editor, std::string label, std::vector<OperationNumber> numbers, MakeOperation make);
+  bool run(Editor& editor, OperationStep step);
+  bool run(Editor& editor, std::string label, std::vector<OperationNumber> numbers, MakeOperation make) {
+    return run(editor, {std::move(label), std::move(numbers), std::move(make), {}});
+  }
+  /// Takes up a step that a tool has just made of the document `before`. Without numbers it is only for
+  /// repeating, and `before` does not matter: an older step can be adjusted when one goes back to it.
+  void take_up(const Editor& editor, Document before, OperationStep step);
+  /// Takes up a step that a command without numbers has just made: running it again repeats it.
+  void take_up_command(const Editor& editor, std::string id);
   /// Makes the step anew with another number, in the place of the old one; refused numbers change nothing.
   bool adjust(Editor& editor, std::size_t number, double value);
+  /// Makes a further step like it, with its numbers, on what is selected now. False, with a notice, when it
+  /// is refused. Not where a `command` is to be repeated.
+  bool repeat(Editor& editor);
 
   bool can_adjust(const Editor& editor) const;
-  const std::string& label() const { return label_; }
-  const std::vector<OperationNumber>& numbers() const { return numbers_; }
+  /// Whether it, or the command, is the last step that was made; undone ones count, too.
+  bool can_repeat(const Editor& editor) const;
+  /// Id of the command that is to be run for repeating; empty where `repeat` does it.
+  const std::string& command() const { return command_; }
+  /// Number of steps that were run or taken up.
+  std::uint64_t count() const { return count_; }
+  const std::string& label() const { return step_.label; }
+  const std::vector<OperationNumber>& numbers() const { return step_.numbers; }
 
  private:
-  bool commit(Editor& editor, const Document& before, std::span<const OperationNumber> numbers);
+  bool commit(Editor& editor, const Document& before, const OperationStep& step);
+  void note(const Editor& editor, std::string command);
 
-  std::string label_;
-  std::vector<OperationNumber> numbers_;
-  MakeOperation make_;
+  OperationStep step_;  ///< to be adjusted
   Document before_, after_;
+  OperationStep again_;  ///< to be repeated, where no command is
+  std::string command_;
+  std::uint64_t count_ = 0;
+  // The state of the history that the last step led to, and its document.
+  std::uint64_t serial_ = 0, documents_ = 0;
 };
 
 }  // namespace hariko

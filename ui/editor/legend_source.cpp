@@ -1,15 +1,39 @@
 #include "ui/editor/legend_source.hpp"
 
 #include "core/document/edits/edits.hpp"
+#include "core/document/object_shape.hpp"
 
 namespace hariko {
+
+namespace {
+
+/// Reason of an object, or null.
+const Message* missing_of(const Editor& editor, const Object& object) {
+  const SurfaceMap map = shown_map(editor.view.map, object);
+  if (!object.visible || !has_shape(object) || !is_of_making(map)) return nullptr;
+  const SurfaceView* view = editor.view_of(object.id);
+  const bool ready = view && view->mesh && view->object && view->object->display.map == map;
+  return ready && view->map_error ? &*view->map_error : nullptr;
+}
+
+}  // namespace
+
+std::optional<MissingMap> missing_map(const Editor& editor) {
+  if (const Object* active = editor.active_object())
+    if (const Message* reason = missing_of(editor, *active)) return MissingMap{{}, reason};
+  for (const auto& object : editor.document().objects) {
+    if (object->id == editor.document().making.reference) continue;
+    if (const Message* reason = missing_of(editor, *object)) return MissingMap{object->name, reason};
+  }
+  return std::nullopt;
+}
 
 std::optional<LegendSource> legend_source(const Editor& editor, const SceneBuilder& scene) {
   const Object* object = editor.active_object();
   const SurfaceView* view =
-      object && object->visible && object->has_surface() ? editor.view_of(object->id) : nullptr;
-  if (view && view->mesh && view->object && has_values(object->display.map) &&
-      view->object->display.map == object->display.map)
+      object && object->visible && has_shape(*object) ? editor.view_of(object->id) : nullptr;
+  if (view && view->mesh && view->object && has_values(object->display.map) && !view->map_error &&
+      can_show(*object, object->display.map) && view->object->display.map == object->display.map)
     return LegendSource{object->display.map, view->range, &view->histogram, false};
   const ViewScale* scale = scene.view_scale();
   if (!scale) return std::nullopt;

@@ -3,6 +3,7 @@
 // Subject of the legend of a map: the active object's own map, or the view's on all surfaces.
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "ui/editor/editor.hpp"
@@ -19,6 +20,14 @@ struct LegendSource {
 
 /// The legend of a map with values that shows; nothing else.
 std::optional<LegendSource> legend_source(const Editor& editor, const SceneBuilder& scene);
+/// Why an object that should show a map of making has no values.
+struct MissingMap {
+  std::string object;               ///< its name; empty for the active object
+  const Message* reason = nullptr;  ///< as long as the editor's views stay as they are
+};
+/// The map of the active object, else of the first other one that is not the reference of deviations.
+std::optional<MissingMap> missing_map(const Editor& editor);
+
 /// How the range is found.
 const MapRange& range_settings(const Editor& editor, const LegendSource& source);
 /// Sets that, in the view or as a step of the document.

@@ -1,5 +1,7 @@
 #include "ui/editor/probe.hpp"
 
+#include <cmath>
+
 #include "render/picking.hpp"
 
 namespace hariko {
@@ -8,6 +10,23 @@ std::optional<SurfacePoint> surface_point(const SceneBuilder& scene, const Ray& 
   const auto hit = pick_surface(scene.scene(), ray);
   if (!hit) return std::nullopt;
   return SurfacePoint{scene.object_id(hit->object), hit->patch, hit->parameter, hit->value};
+}
+
+std::string map_value_text(const Editor& editor, const Language& tr, const SurfacePoint& point) {
+  const Object* object = editor.document().find(point.object);
+  const ViewMap& view = editor.view.map;
+  const SurfaceMap map = object ? shown_map(view, *object) : SurfaceMap::shaded;
+  if (!has_values(map)) return {};
+  // The view's colours are those of the world, where a scaled object is curved less.
+  const double divisor =
+      follows_view(view, *object) ? std::pow(object->transform.scale, scale_power(map)) : 1.0;
+  const double value = point.value / divisor;
+  const std::string unit = unit_of(map, to_string(editor.document().unit));
+  if (map == SurfaceMap::radius && std::isinf(value)) return tr("flat");
+  if (!std::isfinite(value)) return tr("undefined");
+  const std::string number = format_number(value, 4);
+  if (map != SurfaceMap::draft) return number + " " + unit;
+  return value < 0 ? number + unit + "  " + tr("undercut") : number + unit;
 }
 
 std::optional<ProbeReading> read_probe(const Editor& editor, const SurfacePoint& point) {

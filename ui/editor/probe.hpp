@@ -4,6 +4,7 @@
 // mesh that shows it.
 
 #include <optional>
+#include <string>
 
 #include "core/analysis/curvature.hpp"
 #include "ui/editor/editor.hpp"
@@ -18,6 +19,11 @@ struct ProbeReading {
 
 /// The front-most point of the surfaces under a pixel.
 std::optional<SurfacePoint> surface_point(const SceneBuilder& scene, const Ray& ray);
+
+/// The value of the shown map at a point with its unit, in the document's space: "12.5 mm", "undefined".
+/// Drafts that cannot leave their mould are said to be undercuts, and what has no radius to be flat. Empty
+/// for maps without values.
+std::string map_value_text(const Editor& editor, const Language& tr, const SurfacePoint& point);
 
 /// What is there now; nothing when the object or the patch is gone.
 std::optional<ProbeReading> read_probe(const Editor& editor, const SurfacePoint& point);

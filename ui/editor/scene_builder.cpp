@@ -115,6 +115,16 @@ void add_symmetry_plane(const Object& object, std::vector<OverlayLine>& lines) {
   for (std::size_t i = 0; i < 4; ++i) lines.push_back({corners[i], corners[(i + 1) % 4], color, 1.6F, false});
 }
 
+/// The map that a surface shows now, with its range.
+void show_map_of(const DisplaySettings& display, const SurfaceView& view, SceneObject& out) {
+  // A new map shows when its values are there; until then, and where the object cannot have them, the surface
+  // is drawn without.
+  const bool ready =
+      !has_values(display.map) || (view.object && view.object->display.map == display.map && !view.map_error);
+  out.map = ready ? display.map : SurfaceMap::shaded;
+  out.range = view.range;
+}
+
 /// An object that is chosen or pointed at as a whole: the outline of its surface, or all lines where it shows
 /// none.
 void mark_whole(const Editor& editor, const Object& object, SceneObject& out) {
@@ -245,7 +255,10 @@ SceneObject SceneBuilder::describe(const Editor& editor, const std::shared_ptr<c
   if (view) out.mesh = view->mesh;
   if (editor.mode == ElementMode::object && !bare) mark_whole(editor, *object, out);
   out.map = display.map;
-  if (!object->has_surface()) return out;
+  if (!object->has_surface()) {
+    if (view) show_map_of(display, *view, out);
+    return out;
+  }
   if (view) describe_surface(editor, *object, *view, out);
   const auto stale = editor.stale_since.find(object->id);
   out.dimmed = (stale != editor.stale_since.end() && editor.now - stale->second > 0.3) ||
@@ -264,10 +277,7 @@ void SceneBuilder::describe_surface(const Editor& editor, const Object& object, 
   if (display.marks && view.continuity) out.marks = marks_of(object.id, view, editor.view.tolerance);
   if (view.error && out.polyhedron)
     out.failed = object_kind(object).failed(object, view.error->element, *out.polyhedron);
-  // A new map shows when its values are there; until then the surface is drawn without.
-  const bool ready = !has_values(display.map) || (view.object && view.object->display.map == display.map);
-  out.map = ready ? display.map : SurfaceMap::shaded;
-  out.range = view.range;
+  show_map_of(display, view, out);
 }
 
 std::shared_ptr<const EdgeCurves> SceneBuilder::edge_curves_of(const Object& object, const DisplayMesh& mesh,
@@ -304,7 +314,8 @@ void SceneBuilder::colour_by_view(const Editor& editor, Scene& scene) {
     return;
   }
   const bool same_map = view_scale_ && view_scale_->map == *view.map;
-  const bool fresh = same_map && scaled_settings_ == view.ranges[*slot] &&
+  const double limit = limit_of(editor.document(), *view.map);
+  const bool fresh = same_map && scaled_settings_ == view.ranges[*slot] && scaled_limit_ == limit &&
                      (editor.history.in_gesture() || scaled_meshes_ == meshes);
   if (!fresh) {
     std::vector<float> values;
@@ -312,13 +323,15 @@ void SceneBuilder::colour_by_view(const Editor& editor, Scene& scene) {
       for (const float value : values_of(*shown->mesh, *view.map))
         values.push_back(static_cast<float>(double(value) / divisor));
     constexpr int bins = 48;
-    const ValueRange range = value_range(*view.map, view.ranges[*slot], values);
+    const ValueRange range = value_range(*view.map, view.ranges[*slot], values, limit);
     view_scale_ = ViewScale{*view.map, range, histogram(values, range, bins)};
     scaled_meshes_ = std::move(meshes);
     scaled_settings_ = view.ranges[*slot];
+    scaled_limit_ = limit;
   }
   for (const auto& [shown, divisor] : followers)
-    shown->range = {view_scale_->range.low * divisor, view_scale_->range.high * divisor};
+    shown->range = {view_scale_->range.low * divisor, view_scale_->range.high * divisor,
+                    view_scale_->range.centre * divisor};
 }
 
 std::shared_ptr<const EdgeMarks> SceneBuilder::marks_of(ObjectId id, const SurfaceView& view,

@@ -69,6 +69,7 @@ class SceneBuilder {
   std::optional<ViewScale> view_scale_;
   std::vector<std::shared_ptr<const DisplayMesh>> scaled_meshes_;  ///< what `view_scale_` was measured on
   MapRange scaled_settings_;
+  double scaled_limit_ = 0;
   std::vector<ObjectId> ids_;
   std::map<ObjectId, Entry> entries_;
   std::uint64_t version_ = 0;

@@ -37,6 +37,15 @@ std::vector<ObjectId> chosen_ids(const Editor& editor) {
   return ids;
 }
 
+void choose_objects(Editor& editor, std::span<const ObjectId> objects) {
+  editor.selection.clear_elements();
+  editor.selection.clear_objects();
+  for (const ObjectId id : objects)
+    if (const Object* object = editor.document().find(id); object && object->visible && !object->locked)
+      editor.selection.select({id, element_of(id)}, Selection::How::add);
+  editor.selection.active = objects.front();
+}
+
 SelectedIds<VertexId> selected_vertices(const Editor& editor) {
   return ids_of_active(editor, &ElementSelection::vertices);
 }

@@ -3,6 +3,7 @@
 // What the panels are about: the chosen objects, and the selected elements of the active one.
 
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "ui/editor/editor.hpp"
@@ -22,6 +23,10 @@ Objects chosen_objects(const Editor& editor);
 
 /// Their ids.
 std::vector<ObjectId> chosen_ids(const Editor& editor);
+
+/// Chooses whole objects instead of what was chosen and selected; hidden and locked ones are left out. The
+/// first becomes the active one.
+void choose_objects(Editor& editor, std::span<const ObjectId> objects);
 
 /// Those that the shown document has.
 SelectedIds<VertexId> selected_vertices(const Editor& editor);

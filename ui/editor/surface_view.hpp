@@ -30,6 +30,7 @@ struct SurfaceView {
   double milliseconds = 0;                  ///< that the rebuild took, display mesh included
   std::vector<Message> warnings;
   std::optional<double> sticks_out;  ///< of solids whose faces the surface lies on, in the object's lengths
+  std::optional<Message> map_error;  ///< why the object cannot have the values of its map
   std::optional<Message> error;      ///< why there is no newer surface than the one shown
 
   /// Largest angle between normals on both sides of inner edges that are no creases, radians. Measured when

@@ -5,7 +5,8 @@
 namespace hariko {
 
 bool can_show(const Object& object, SurfaceMap map) {
-  return object.mesh() ? !has_values(map) : object.has_surface();
+  if (!object.mesh()) return object.has_surface();
+  return !has_values(map) || (is_of_making(map) && map != SurfaceMap::radius);
 }
 
 bool follows_view(const ViewMap& view, const Object& object) {

@@ -3,7 +3,6 @@
 // ViewMap: a map that a view shows on all surfaces at once, without an edit; and what is shown of an object
 // then.
 
-#include <array>
 #include <optional>
 
 #include "core/document/document.hpp"
@@ -14,11 +13,12 @@ namespace hariko {
 struct ViewMap {
   std::optional<SurfaceMap> map;
   /// As `DisplaySettings::ranges`: of the maps with values, common to all objects that show the view's.
-  std::array<MapRange, 5> ranges{};
+  MapRanges ranges{};
   friend bool operator==(const ViewMap&, const ViewMap&) = default;
 };
 
-/// Whether an object has a map: reference facets have no curvature, nor edges that could be continuous.
+/// Whether an object has a map: reference facets have no curvature, nor edges that could be continuous. Walls
+/// and deviations may still have no values (`SurfaceView::map_error`).
 bool can_show(const Object& object, SurfaceMap map);
 /// Whether the view's map colours an object.
 bool follows_view(const ViewMap& view, const Object& object);
@@ -27,7 +27,8 @@ SurfaceMap shown_map(const ViewMap& view, const Object& object);
 /// The display settings with the map and its range as they are shown.
 DisplaySettings shown_display(const ViewMap& view, const Object& object);
 
-/// By what a map's values in an object's space are divided in the world: 0, 1 or 2 times the object's scale.
+/// Power of the object's scale by which a map's values are divided in the world: 0 for those of making, which
+/// are lengths in the world already.
 int scale_power(SurfaceMap map);
 
 }  // namespace hariko

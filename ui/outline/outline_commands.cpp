@@ -106,6 +106,7 @@ void resample(Editor& editor, LoopMeasure measure, const char* step) {
 struct OutlineMenu {
   CommandHost& host;
   bool group = false;
+  bool points = false;  ///< the next row works with the pointer
   void next_group() { group = true; }
   void add(const char* id, const char* label, const char* help, std::function<void()> run, WhyNot why_not,
            Context contexts = Context::none) {
@@ -115,10 +116,11 @@ struct OutlineMenu {
                     .help = help,
                     .changes_document = true,
                     .separator_before = group,
+                    .needs_window = points,
                     .run = std::move(run),
                     .why_not = std::move(why_not),
                     .contexts = contexts});
-    group = false;
+    group = points = false;
   }
 };
 
@@ -131,8 +133,10 @@ void add_drawing(OutlineMenu& menu) {
                   .help = "Draw a closed loop on the ground or on a surface; a smooth surface fills it.",
                   .changes_document = true,
                   .separator_before = true,
+                  .needs_window = true,
                   .run = [&host] { draw_outline(host); },
                   .contexts = Context::empty});
+  menu.points = true;
   menu.add(
       "outline.add_loop", "Add loop", "Draw another loop of the outline: the surface has a hole there.",
       [&host] { host.viewport.start_modal(make_loop_tool(host.editor.selection.active)); },
@@ -244,6 +248,7 @@ void add_outline_commands(CommandHost& host) {
   add_points(menu);
   add_normals(menu);
   add_sphere(host);
+  host.table.use_in_scripts("outline.from_border", {.looks_at_surfaces = true});
   menu.next_group();
   menu.add(
       "outline.convert", "Convert to polyhedron",

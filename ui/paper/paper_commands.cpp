@@ -6,6 +6,7 @@
 #include "ui/editor/command_host.hpp"
 #include "ui/editor/paper_edits.hpp"
 #include "ui/view/view_room.hpp"
+#include "ui/widgets/application_services.hpp"
 #include "ui/widgets/command_services.hpp"
 
 namespace hariko {
@@ -175,8 +176,13 @@ void add_paper_commands(CommandHost& host) {
                   .label = "Export pages\u2026",
                   .help = "Write the pages as PDF, SVG, DXF or PNG.",
                   .separator_before = true,
+                  .needs_window = true,
                   .run = [&editor, &services] { export_pages(editor, services); },
-                  .why_not = needs_pages(editor)});
+                  .why_not = needs_pages(editor),
+                  .script = {.arguments = {path_argument("path", translatable("File"))},
+                             .run = [&host](const Arguments& given) {
+                               host.application.export_pages(given.text("path"));
+                             }}});
 }
 
 }  // namespace hariko

@@ -65,23 +65,34 @@ void add_file_rows(CommandHost& host, const std::string& menu) {
                   .label = "Save as a file\u2026",
                   .help = "Write a packed picture to a file and link it.",
                   .changes_document = true,
+                  .needs_window = true,
                   .run = [&] { services.unpack_picture(editor.selection.active); },
                   .why_not = only_if(
                       picture, [&editor] { return active_picture(editor)->picture()->packed(); },
-                      translatable("The picture is a file already."))});
+                      translatable("The picture is a file already.")),
+                  .script = {.arguments = {path_argument("path", translatable("File"))},
+                             .run = [&](const Arguments& given) {
+                               application.unpack_picture(editor.selection.active, given.text("path"));
+                             }}});
   host.table.add({.id = "picture.replace",
                   .menu = menu,
                   .label = "Choose another file\u2026",
                   .help = "Show another picture in this one's place.",
                   .changes_document = true,
+                  .needs_window = true,
                   .run = [&] { services.replace_picture(editor.selection.active); },
-                  .why_not = picture});
+                  .why_not = picture,
+                  .script = {.arguments = {path_argument("path", translatable("File"))},
+                             .run = [&](const Arguments& given) {
+                               application.replace_picture(editor.selection.active, given.text("path"));
+                             }}});
   host.table.add(
       {.id = "picture.find",
        .menu = menu,
        .label = "Find missing pictures\u2026",
        .help = "Show where the first missing picture is; the others are looked for beside it.",
        .changes_document = true,
+       .needs_window = true,
        .run = [&host] { find_first_missing(host); },
        .why_not = only_if([&editor] { return editor.has_document && !missing_pictures(editor).empty(); },
                           translatable("No reference picture is missing."))});
@@ -90,6 +101,7 @@ void add_file_rows(CommandHost& host, const std::string& menu) {
        .menu = menu,
        .label = "Read pictures again",
        .help = "Show linked pictures as their files are now.",
+       .needs_window = true,
        .run = [&editor] { editor.references.read_again = true; },
        .why_not = only_if([&editor] { return editor.has_document && !editor.references.views.empty(); },
                           translatable("The document has no reference pictures."))});
@@ -106,14 +118,20 @@ void add_picture_commands(CommandHost& host) {
                   .help = "Put a photograph or a drawing (PNG or JPEG) into the scene, to model by.",
                   .icon = icon::picture,
                   .changes_document = true,
+                  .needs_window = true,
                   .run = [&services] { services.add_picture(); },
-                  .contexts = Context::empty});
+                  .contexts = Context::empty,
+                  .script = {.arguments = {path_argument("path", translatable("File"))},
+                             .run = [&host](const Arguments& given) {
+                               host.application.add_pictures({given.text("path")});
+                             }}});
   const std::string menu = submenu("File", translatable("Reference pictures"));
   host.table.add({.id = "picture.scale",
                   .menu = menu,
                   .label = "Scale by two points",
                   .help = "Click two points of the picture and type how far apart they are.",
                   .changes_document = true,
+                  .needs_window = true,
                   .run = [&host] { scale_by_points(host); },
                   .why_not = [&editor, picture = needs_picture(editor)]() -> Reason {
                     if (auto reason = picture()) return reason;

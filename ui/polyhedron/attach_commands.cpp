@@ -151,7 +151,8 @@ void add_attach_commands(CommandHost& host) {
        .run = [&editor] { adapt_patch(editor); },
        .why_not = only_if(
            needs_polyhedron(editor), [&editor] { return misfit(editor).has_value(); },
-           translatable("The joined patches fit each other."))});
+           translatable("The joined patches fit each other.")),
+       .script = {.looks_at_surfaces = true}});
 }
 
 }  // namespace hariko

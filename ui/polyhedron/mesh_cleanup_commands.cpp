@@ -1,6 +1,7 @@
 // Commands of the Mesh menu that tidy, connect, take apart and mirror what is there.
 
 #include <algorithm>
+#include <array>
 
 #include "core/document/edits/edit_solids.hpp"
 #include "core/document/edits/edits.hpp"
@@ -72,8 +73,14 @@ void delete_points(Editor& editor, const Object& object) {
   if (done) editor.selection.clear_elements();
 }
 
-/// Elements when some are selected, else the objects that are chosen, else the active one.
+/// A chosen dimension, else elements when some are selected, else the objects that are chosen, else the
+/// active one.
 void delete_selection(Editor& editor) {
+  if (const auto dimension = editor.dimensions.chosen(editor)) {
+    editor.commit(remove_dimensions(editor.history.current(), std::array{*dimension}),
+                  translatable("Delete dimension"));
+    return;
+  }
   if (editor.mode != ElementMode::object && !editor.selection.of_active().empty()) {
     if (shown_skin(editor)) return delete_selected_points(editor);
     if (const Object* outline = active_outline(editor)) return delete_points(editor, *outline);
@@ -118,22 +125,32 @@ void merge_at(Editor& editor, MergeAt at, const char* label) {
       editor, [&](const PolyhedronSource& source) { return merge_vertices(source, ids, at); }, label);
 }
 
-void merge_near(Editor& editor) {
-  const PolyhedronSource& source = *editor.active_object()->polyhedron();
+MakeOperation merging_near(const Editor& editor) {
   const ObjectId object = editor.selection.active;
-  const auto ids = touched_vertices(editor.selection.of_active(), source.polyhedron);
-  const double size = size_of(source);
-  std::vector<OperationNumber> numbers{
-      {"distance", translatable("Distance"), weld_share * size, 0, size, false}};
-  editor.last_operation.run(
-      editor, translatable("Merge by distance"), std::move(numbers),
-      [object, ids](const Document& document, std::span<const OperationNumber> n) -> Result<OperationResult> {
-        auto done = edit_polyhedron(document, object, [&](const PolyhedronSource& s) {
-          return merge_by_distance(s, ids, n[0].value);
-        });
-        if (!done) return done.error();
-        return OperationResult{std::move(done->document), object, std::move(done->selection)};
-      });
+  const auto ids =
+      touched_vertices(editor.selection.of_active(), editor.active_object()->polyhedron()->polyhedron);
+  return [object, ids](const Document& document,
+                       std::span<const OperationNumber> n) -> Result<OperationResult> {
+    auto done = edit_polyhedron(
+        document, object, [&](const PolyhedronSource& s) { return merge_by_distance(s, ids, n[0].value); });
+    if (!done) return done.error();
+    return OperationResult{std::move(done->document), object, std::move(done->selection)};
+  };
+}
+
+void merge_near(Editor& editor, std::optional<double> distance = {}) {
+  const double size = size_of(*editor.active_object()->polyhedron());
+  OperationStep step;
+  step.label = translatable("Merge by distance");
+  step.numbers = {
+      {"distance", translatable("Distance"), distance.value_or(weld_share * size), 0, size, false}};
+  step.make = merging_near(editor);
+  step.begin = [](const Editor& now) -> Result<BegunOperation> {
+    if (const Reason reason = needs_elements(now, {.vertices = true, .edges = true, .faces = true})())
+      return make_error(e_wrong_selection, *reason);
+    return BegunOperation{merging_near(now)};
+  };
+  editor.last_operation.run(editor, std::move(step));
 }
 
 Result<EditResult> bridged(const PolyhedronSource& source, const ElementSet& set) {
@@ -246,10 +263,16 @@ void add_merging(MeshMenu& menu, Editor& editor) {
            }));
 }
 
+WhyNot needs_deletable(const Editor& editor) {
+  return [&editor, object = needs_object(editor)]() -> Reason {
+    return editor.dimensions.chosen(editor) ? Reason() : object();
+  };
+}
+
 void add_tidying(MeshMenu& menu, Editor& editor) {
   menu.add("mesh.delete", "Edit", "Delete",
-           "Delete the selected elements, or the object when none are selected.", "Del", needs_object(editor),
-           any_element | Context::object, [&editor] { delete_selection(editor); });
+           "Delete the selected elements, or the object when none are selected.", "Del",
+           needs_deletable(editor), any_element | Context::object, [&editor] { delete_selection(editor); });
   menu.next_group();
   menu.add_operation("mesh.dissolve", "Dissolve", "Take the selected elements away without leaving a hole.",
                      "Ctrl+Del", {.vertices = true, .edges = true, .faces = true}, any_element,
@@ -362,6 +385,11 @@ void add_mesh_cleanup_commands(CommandHost& host) {
   add_tidying(menu, host.editor);
   add_connecting(menu, host.editor);
   add_mirrors(menu, host.editor);
+  host.table.use_in_scripts("mesh.merge_distance",
+                            {.arguments = {length_argument("distance", translatable("Distance"), {}, 0)},
+                             .run = [&editor = host.editor](const Arguments& given) {
+                               merge_near(editor, given.number("distance"));
+                             }});
 }
 
 }  // namespace hariko

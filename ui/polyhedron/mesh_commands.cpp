@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "core/modeling/cuts/cut.hpp"
+#include "core/modeling/cuts/loop_cut.hpp"
 #include "core/modeling/cuts/subdivide.hpp"
 #include "core/modeling/operations/bevel_edges.hpp"
 #include "core/modeling/operations/bevel_vertices.hpp"
@@ -42,8 +43,16 @@ AmountOperation operation_on_selection(const Editor& editor, const char* name, s
   return operation;
 }
 
-/// Starts the tool, unless the operation refuses the selection whatever the amount.
-void start(CommandHost& host, AmountOperation operation) {
+using BuildAmount = std::function<AmountOperation(const Editor&)>;
+
+/// Starts the tool, unless the operation refuses the selection whatever the amount. It is built of what is
+/// selected, which has to have elements of these kinds, and anew when it is repeated.
+void start(CommandHost& host, NeededElements kinds, const BuildAmount& build) {
+  AmountOperation operation = build(host.editor);
+  operation.again = [kinds, build](const Editor& editor) -> Result<AmountOperation> {
+    if (const Reason reason = needs_elements(editor, kinds)()) return make_error(e_wrong_selection, *reason);
+    return build(editor);
+  };
   const PolyhedronSource& source = *host.editor.active_object()->polyhedron();
   const double limit = operation.limit ? operation.limit(source, operation.grouping) : 1;
   const double trial = std::isfinite(limit) ? limit / 2 : 1;
@@ -62,8 +71,7 @@ Vector3 normal_of_selection(const Editor& editor, const std::vector<FaceId>& fac
   return direction_of(object.transform.apply_to_vector(mean_normal(object.polyhedron()->polyhedron, dense)));
 }
 
-void extrude(CommandHost& host, Grouping grouping) {
-  const Editor& editor = host.editor;
+AmountOperation extrusion(const Editor& editor, Grouping grouping) {
   const auto faces = list_of(editor.selection.of_active().faces);
   if (faces.empty()) {
     const auto edges = list_of(editor.selection.of_active().edges);
@@ -73,7 +81,7 @@ void extrude(CommandHost& host, Grouping grouping) {
     operation.apply = [edges](const PolyhedronSource& source, double amount, Grouping) {
       return extrude_borders(source, edges, amount);
     };
-    return start(host, std::move(operation));
+    return operation;
   }
   AmountOperation operation = operation_on_selection(
       editor, translatable("Extrude"),
@@ -85,13 +93,13 @@ void extrude(CommandHost& host, Grouping grouping) {
   operation.apply = [faces](const PolyhedronSource& source, double amount, Grouping as) {
     return extrude_faces(source, faces, {amount, as});
   };
-  start(host, std::move(operation));
+  return operation;
 }
 
-void inset(CommandHost& host) {
-  const auto faces = list_of(host.editor.selection.of_active().faces);
+AmountOperation insetting(const Editor& editor) {
+  const auto faces = list_of(editor.selection.of_active().faces);
   AmountOperation operation = operation_on_selection(
-      host.editor, translatable("Inset"),
+      editor, translatable("Inset"),
       faces.size() == 1 ? translatable("Inset face")
                         : fill(translatable("Inset {0} faces"), {std::to_string(faces.size())}));
   operation.grouped = true;
@@ -102,13 +110,13 @@ void inset(CommandHost& host) {
     const auto limit = largest_inset(source, faces, as);
     return limit ? *limit : std::numeric_limits<double>::infinity();
   };
-  start(host, std::move(operation));
+  return operation;
 }
 
-void bevel_selected_edges(CommandHost& host) {
-  const auto edges = list_of(host.editor.selection.of_active().edges);
+AmountOperation bevel_of_edges(const Editor& editor) {
+  const auto edges = list_of(editor.selection.of_active().edges);
   AmountOperation operation = operation_on_selection(
-      host.editor, translatable("Bevel"),
+      editor, translatable("Bevel"),
       edges.size() == 1 ? translatable("Bevel edge")
                         : fill(translatable("Bevel {0} edges"), {std::to_string(edges.size())}));
   operation.apply = [edges](const PolyhedronSource& source, double amount, Grouping) {
@@ -118,14 +126,14 @@ void bevel_selected_edges(CommandHost& host) {
     const auto limit = largest_edge_bevel(source, edges);
     return limit ? *limit : std::numeric_limits<double>::infinity();
   };
-  start(host, std::move(operation));
+  return operation;
 }
 
-void bevel_selected_vertices(CommandHost& host) {
+AmountOperation bevel_of_vertices(const Editor& editor) {
   constexpr auto measure = BevelVerticesOptions::Measure::distance;
-  const auto vertices = list_of(host.editor.selection.of_active().vertices);
+  const auto vertices = list_of(editor.selection.of_active().vertices);
   AmountOperation operation = operation_on_selection(
-      host.editor, translatable("Bevel"),
+      editor, translatable("Bevel"),
       vertices.size() == 1 ? translatable("Bevel vertex")
                            : fill(translatable("Bevel {0} vertices"), {std::to_string(vertices.size())}));
   operation.apply = [vertices](const PolyhedronSource& source, double amount, Grouping) {
@@ -135,7 +143,42 @@ void bevel_selected_vertices(CommandHost& host) {
     const auto limit = largest_vertex_bevel(source, vertices, measure);
     return limit ? *limit : std::numeric_limits<double>::infinity();
   };
-  start(host, std::move(operation));
+  return operation;
+}
+
+void extrude(CommandHost& host, NeededElements kinds, Grouping grouping) {
+  start(host, kinds, [grouping](const Editor& editor) { return extrusion(editor, grouping); });
+}
+
+/// Makes the step at once, with an amount in the document's unit.
+void make_amount(Editor& editor, const AmountOperation& operation, double amount) {
+  const double scale = editor.active_object()->transform.scale;
+  run_operation(
+      editor,
+      [&](const PolyhedronSource& source) {
+        return operation.apply(source, amount / scale, operation.grouping);
+      },
+      operation.label);
+}
+
+ScriptUse amount_in_scripts(Editor& editor, const char* name, const char* help, BuildAmount build) {
+  return {.arguments = {length_argument(name, help, {})},
+          .run = [&editor, name, build = std::move(build)](const Arguments& given) {
+            make_amount(editor, build(editor), given.number(name));
+          }};
+}
+
+/// Cuts the ring of the one selected edge.
+void cut_ring(Editor& editor, const LoopCutOptions& options) {
+  const auto edges = list_of(editor.selection.of_active().edges);
+  if (edges.size() != 1)
+    return editor.notify(
+        make_error(e_wrong_selection, "A loop cut needs one selected edge.", "Select one edge of the ring."));
+  run_refinement(
+      editor,
+      [&](const auto& source, const SurfaceForm* on) { return loop_cut(source, edges.front(), options, on); },
+      options.count == 1 ? translatable("Loop cut")
+                         : fill(translatable("{0} loop cuts"), {std::to_string(options.count)}));
 }
 
 void connect_selected(Editor& editor) {
@@ -148,14 +191,16 @@ void connect_selected(Editor& editor) {
       translatable("Connect"));
 }
 
-void subdivide_selected(Editor& editor) {
+/// `points`: on each edge, where edges are selected and no faces.
+void subdivide_selected(Editor& editor, int points) {
   const ElementSet& set = editor.selection.of_active();
   const auto faces = list_of(set.faces);
   const auto edges = list_of(set.edges);
   run_refinement(
       editor,
       [&](const auto& source, const SurfaceForm* on) {
-        return faces.empty() ? subdivide_edges(source, edges, 1, on) : subdivide_faces(source, faces, on);
+        return faces.empty() ? subdivide_edges(source, edges, points, on)
+                             : subdivide_faces(source, faces, on);
       },
       faces.empty() ? translatable("Subdivide edges") : translatable("Subdivide faces"));
 }
@@ -169,7 +214,7 @@ void poke_selected(Editor& editor) {
 
 void add_dragged(CommandHost& host) {
   CommandTable& table = host.table;
-  const Editor& editor = host.editor;
+  Editor& editor = host.editor;
   table.add(
       {.id = "mesh.extrude",
        .menu = "Mesh",
@@ -178,18 +223,25 @@ void add_dragged(CommandHost& host) {
        .keys = "E",
        .icon = icon::extrude,
        .changes_document = true,
-       .run = [&host] { extrude(host, Grouping::region); },
+       .needs_window = true,
+       .run = [&host] { extrude(host, {.edges = true, .faces = true}, Grouping::region); },
        .why_not = needs_elements(editor, {.edges = true, .faces = true}),
-       .contexts = Context::face | Context::edge});
+       .contexts = Context::face | Context::edge,
+       .script = amount_in_scripts(editor, "distance", translatable("Distance"),
+                                   [](const Editor& of) { return extrusion(of, Grouping::region); })});
   table.add({.id = "mesh.extrude_each",
              .menu = "Mesh",
              .label = "Extrude each face",
              .help = "Move every selected face out by itself, along its own normal.",
              .keys = "Shift+E",
              .changes_document = true,
-             .run = [&host] { extrude(host, Grouping::individual); },
+             .needs_window = true,
+             .run = [&host] { extrude(host, {.faces = true}, Grouping::individual); },
              .why_not = needs_elements(editor, {.faces = true}),
-             .contexts = Context::face});
+             .contexts = Context::face,
+             .script = amount_in_scripts(editor, "distance", translatable("Distance"), [](const Editor& of) {
+               return extrusion(of, Grouping::individual);
+             })});
   table.add({.id = "mesh.inset",
              .menu = "Mesh",
              .label = "Inset",
@@ -197,9 +249,11 @@ void add_dragged(CommandHost& host) {
              .keys = "I",
              .icon = icon::inset,
              .changes_document = true,
-             .run = [&host] { inset(host); },
+             .needs_window = true,
+             .run = [&host] { start(host, {.faces = true}, insetting); },
              .why_not = needs_elements(editor, {.faces = true}),
-             .contexts = Context::face});
+             .contexts = Context::face,
+             .script = amount_in_scripts(editor, "width", translatable("Width"), insetting)});
   table.add({.id = "mesh.bevel_edges",
              .menu = "Mesh",
              .label = "Bevel edges",
@@ -207,9 +261,11 @@ void add_dragged(CommandHost& host) {
              .keys = "Ctrl+B",
              .icon = icon::bevel,
              .changes_document = true,
-             .run = [&host] { bevel_selected_edges(host); },
+             .needs_window = true,
+             .run = [&host] { start(host, {.edges = true}, bevel_of_edges); },
              .why_not = needs_elements(editor, {.edges = true}),
-             .contexts = Context::edge});
+             .contexts = Context::edge,
+             .script = amount_in_scripts(editor, "width", translatable("Width"), bevel_of_edges)});
   table.add({.id = "mesh.bevel_vertices",
              .menu = "Mesh",
              .label = "Bevel vertices",
@@ -217,9 +273,11 @@ void add_dragged(CommandHost& host) {
              .keys = "Ctrl+Shift+B",
              .icon = icon::bevel,
              .changes_document = true,
-             .run = [&host] { bevel_selected_vertices(host); },
+             .needs_window = true,
+             .run = [&host] { start(host, {.vertices = true}, bevel_of_vertices); },
              .why_not = needs_elements(editor, {.vertices = true}),
-             .contexts = Context::vertex});
+             .contexts = Context::vertex,
+             .script = amount_in_scripts(editor, "width", translatable("Width"), bevel_of_vertices)});
 }
 
 void add_cuts(CommandHost& host) {
@@ -233,9 +291,15 @@ void add_cuts(CommandHost& host) {
              .icon = icon::loop_cut,
              .changes_document = true,
              .separator_before = true,
+             .needs_window = true,
              .run = [&host] { host.viewport.start_modal(make_loop_cut_tool()); },
              .why_not = needs_polyhedron(editor),
-             .contexts = Context::edge});
+             .contexts = Context::edge,
+             .script = {.arguments = {whole_argument("cuts", translatable("Cuts"), 1, 1, max_cuts),
+                                      number_argument("slide", translatable("Slide"), 0, -1, 1)},
+                        .run = [&editor](const Arguments& given) {
+                          cut_ring(editor, {given.whole("cuts"), given.number("slide")});
+                        }}});
   table.add({.id = "mesh.knife",
              .menu = "Mesh",
              .label = "Knife",
@@ -243,6 +307,7 @@ void add_cuts(CommandHost& host) {
              .keys = "K",
              .icon = icon::knife,
              .changes_document = true,
+             .needs_window = true,
              .run = [&host] { host.viewport.start_modal(make_knife_tool()); },
              .why_not = needs_polyhedron(editor),
              .contexts = any_element});
@@ -263,9 +328,12 @@ void add_cuts(CommandHost& host) {
        .help = "Divide the selected faces into quads, or put a vertex on the middle of the selected edges.",
        .changes_document = true,
        .separator_before = true,
-       .run = [&editor] { subdivide_selected(editor); },
+       .run = [&editor] { subdivide_selected(editor, 1); },
        .why_not = needs_elements(editor, {.edges = true, .faces = true}),
-       .contexts = Context::edge | Context::face});
+       .contexts = Context::edge | Context::face,
+       .script = {
+           .arguments = {whole_argument("points", translatable("Points"), 1, 1, max_cuts)},
+           .run = [&editor](const Arguments& given) { subdivide_selected(editor, given.whole("points")); }}});
   table.add({.id = "mesh.poke",
              .menu = "Mesh",
              .label = "Poke faces",

@@ -87,6 +87,22 @@ void give_tension(Editor& editor, const char* step, const CopiedTension& tension
   });
 }
 
+/// Numbers in the place of a drag; those that are missing stay as they are.
+ScriptUse tension_in_scripts(Editor& editor) {
+  return {.arguments = {optional(number_argument("alpha", translatable("Tension \u03b1"), {}, 0, max_alpha)),
+                        optional(
+                            number_argument("beta", translatable("Tension \u03b2"), {}, min_beta, max_beta))},
+          .run = [&editor](const Arguments& given) {
+            CopiedTension tension;
+            if (given.has("alpha")) tension.alpha = given.number("alpha");
+            if (given.has("beta")) tension.beta = given.number("beta");
+            if (!tension.alpha && !tension.beta)
+              return editor.notify(make_error(e_argument, "\"alpha\" or \"beta\" is needed.",
+                                              "`hariko run --list` says what each command takes."));
+            give_tension(editor, "Tension", tension);
+          }};
+}
+
 CopiedTension tension_of_selection(const Editor& editor) {
   CopiedTension copied;
   const Object* object = editor.active_object();
@@ -108,8 +124,10 @@ void add_tensions(CommandHost& host) {
                   .help = "Drag to the side: more or less tension of the selected vertices and edges.",
                   .keys = "T",
                   .changes_document = true,
+                  .needs_window = true,
                   .run = [&viewport] { viewport.start_modal(std::make_unique<TensionTool>()); },
-                  .why_not = selected});
+                  .why_not = selected,
+                  .script = tension_in_scripts(editor)});
   host.table.add({.id = "shape.reset_tension",
                   .menu = "Shape",
                   .label = "Reset tension",
@@ -200,14 +218,24 @@ void add_frames(CommandHost& host) {
            translatable("No visible polyhedron has a surface of mode fair or target."))});
 }
 
+void crease_edges(Editor& editor, bool crease) {
+  edit_selected(editor, crease ? "Crease edges" : "Smooth edges",
+                [crease](const auto& document, const auto& object, const auto& elements) {
+                  return set_crease(document, object.id, edges_of(elements), crease);
+                });
+}
+
 void switch_crease(Editor& editor) {
-  const bool all = all_selected(editor, [](const Shaping& shaping, const ElementSelection& elements) {
-    return std::all_of(elements.edges.begin(), elements.edges.end(),
-                       [&](const EdgeId& id) { return shaping.crease.contains(id); });
-  });
-  edit_selected(editor, all ? "Smooth edges" : "Crease edges",
-                [all](const auto& document, const auto& object, const auto& elements) {
-                  return set_crease(document, object.id, edges_of(elements), !all);
+  crease_edges(editor, !all_selected(editor, [](const Shaping& shaping, const ElementSelection& elements) {
+                 return std::all_of(elements.edges.begin(), elements.edges.end(),
+                                    [&](const EdgeId& id) { return shaping.crease.contains(id); });
+               }));
+}
+
+void tag_vertices(Editor& editor, VertexTag tag, const char* step) {
+  edit_selected(editor, tag == VertexTag::automatic ? "Automatic vertices" : step,
+                [&](const auto& document, const auto& object, const auto& elements) {
+                  return set_vertex_tag(document, object.id, vertices_of(elements), tag);
                 });
 }
 
@@ -217,11 +245,7 @@ void switch_tag(Editor& editor, VertexTag tag, const char* step) {
       return shaping.tag.get_or(vertex, VertexTag::automatic) == tag;
     });
   });
-  edit_selected(editor, all ? "Automatic vertices" : step,
-                [&](const auto& document, const auto& object, const auto& elements) {
-                  return set_vertex_tag(document, object.id, vertices_of(elements),
-                                        all ? VertexTag::automatic : tag);
-                });
+  tag_vertices(editor, all ? VertexTag::automatic : tag, step);
 }
 
 Result<Document> with_fixed_tangents(const Document& document, const Object& object,
@@ -264,7 +288,9 @@ void add_tags(CommandHost& host) {
              .changes_document = true,
              .separator_before = true,
              .run = [&editor] { switch_crease(editor); },
-             .why_not = needs_shapeable(editor, {.edges = true})});
+             .why_not = needs_shapeable(editor, {.edges = true}),
+             .script = {.arguments = {on_off_argument("on", translatable("Crease"), true)},
+                        .run = [&editor](const Arguments& given) { crease_edges(editor, given.on("on")); }}});
   const auto tag = [&](const char* id, const char* label, const char* help, const char* keys,
                        VertexTag value) {
     table.add({.id = id,
@@ -274,7 +300,11 @@ void add_tags(CommandHost& host) {
                .keys = keys,
                .changes_document = true,
                .run = [&editor, value, label] { switch_tag(editor, value, label); },
-               .why_not = vertices});
+               .why_not = vertices,
+               .script = {.arguments = {on_off_argument("on", label, true)},
+                          .run = [&editor, value, label](const Arguments& given) {
+                            tag_vertices(editor, given.on("on") ? value : VertexTag::automatic, label);
+                          }}});
   };
   tag("shape.corner", "Corner vertices", "Tag the selected vertices as corners, or no longer.", "Shift+C",
       VertexTag::corner);

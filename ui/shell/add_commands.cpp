@@ -8,6 +8,7 @@
 #include "core/skinning/columns/simple_skin.hpp"
 #include "ui/editor/command_host.hpp"
 #include "ui/editor/new_object.hpp"
+#include "ui/editor/operation_arguments.hpp"
 
 namespace hariko {
 
@@ -36,28 +37,76 @@ OperationNumber count(const char* id, const char* label, int value, int low, int
   return {id, label, double(value), double(low), double(high), true};
 }
 
-void add_primitive(CommandHost& host, const char* name, const char* step, const Numbers& numbers,
-                   MakeSource make) {
-  Editor& editor = host.editor;
-  begin_document(editor);
-  const bool first = editor.document().objects.empty();
+/// Object to be added: its name, the step, its numbers and what they make.
+struct NewPrimitive {
+  const char *name, *step;
+  Numbers numbers;
+  MakeSource make;
+};
+
+MakeOperation adding(const NewPrimitive& primitive, const Vector3& at, const std::string& name) {
   Similarity place;
-  if (!first) place.translation = editor.camera().target;
-  const std::string object_name = free_name(editor.document(), editor.language(name));
-  const auto add = [place, object_name, make = std::move(make)](
-                       const Document& document,
-                       std::span<const OperationNumber> chosen) -> Result<OperationResult> {
+  place.translation = at;
+  return [place, name, make = primitive.make](
+             const Document& document, std::span<const OperationNumber> chosen) -> Result<OperationResult> {
     Result<Source> source = make(chosen);
     if (!source) return source.error();
-    Result<Added> added = add_object(document, object_name, std::move(source).value(), place);
+    Result<Added> added = add_object(document, name, std::move(source).value(), place);
     if (!added) return added.error();
     return OperationResult{std::move(added).value().document, added->id};
   };
-  if (!editor.last_operation.run(editor, step, numbers(new_object_radius(editor)), add)) return;
+}
+
+/// Place of a new object: the middle of the view; of the first one zero.
+Vector3 place_for_new(const Editor& editor) {
+  return editor.document().objects.empty() ? Vector3(Vector3::Zero()) : editor.camera().target;
+}
+
+std::string name_for_new(const Editor& editor, const NewPrimitive& primitive) {
+  return free_name(editor.document(), editor.language(primitive.name));
+}
+
+/// Makes the step; its numbers can be adjusted afterwards. False, with a notice, when it is refused.
+bool put_primitive(Editor& editor, const NewPrimitive& primitive, std::vector<OperationNumber> numbers,
+                   const Vector3& at, const std::string& name) {
+  OperationStep step{primitive.step, std::move(numbers), adding(primitive, at, name), {}};
+  step.begin = [primitive](const Editor& now) -> Result<BegunOperation> {
+    return BegunOperation{adding(primitive, place_for_new(now), name_for_new(now, primitive))};
+  };
+  return editor.last_operation.run(editor, std::move(step));
+}
+
+void add_primitive(CommandHost& host, const NewPrimitive& primitive) {
+  Editor& editor = host.editor;
+  begin_document(editor);
+  const bool first = editor.document().objects.empty();
+  if (!put_primitive(editor, primitive, primitive.numbers(new_object_radius(editor)), place_for_new(editor),
+                     name_for_new(editor, primitive)))
+    return;
   if (first)
     editor.wants_framing = true;
   else
     bring_into_sight(editor, editor.selection.active);
+}
+
+/// Use in scripts: sizes do not depend on what is there.
+ScriptUse in_scripts(CommandHost& host, const NewPrimitive& primitive) {
+  const std::vector<OperationNumber> usual = primitive.numbers(first_object_radius(Unit::millimetre));
+  ScriptUse use;
+  use.arguments = arguments_of(usual);
+  use.arguments.push_back(
+      point_argument("at", translatable("Location"), ArgumentUnit::length, Vector3(0, 0, 0)));
+  use.arguments.push_back(optional(text_argument("name", translatable("Name"))));
+  use.run = [&editor = host.editor, primitive, usual](const Arguments& arguments) {
+    begin_document(editor);
+    const std::string name = arguments.has("name") ? arguments.text("name") : name_for_new(editor, primitive);
+    if (!put_primitive(editor, primitive, with_values(usual, arguments), arguments.point("at"), name)) return;
+    const ObjectId id = editor.selection.active;
+    editor.selection.clear_objects();
+    editor.selection.select({id, {Element::Kind::object, id.value}}, Selection::How::add);
+    editor.selection.active = id;
+  };
+  return use;
 }
 
 MakeSource from_mesh(MakeMesh make) {
@@ -84,15 +133,15 @@ void add_patches(CommandHost& host) {
     if (!source) return source.error();
     return Source(std::move(source).value());
   };
-  host.table.add(
-      {.id = "add.patches",
-       .menu = "Add",
-       .label = "Bicubic patches",
-       .help = "A grid of bicubic patches, flat or arched, whose control points can be moved.",
-       .changes_document = true,
-       .run = [&host, numbers,
-               make] { add_primitive(host, "Bicubic patches", translatable("Add patches"), numbers, make); },
-       .contexts = Context::empty});
+  const NewPrimitive patches{"Bicubic patches", translatable("Add patches"), numbers, make};
+  host.table.add({.id = "add.patches",
+                  .menu = "Add",
+                  .label = "Bicubic patches",
+                  .help = "A grid of bicubic patches, flat or arched, whose control points can be moved.",
+                  .changes_document = true,
+                  .run = [&host, patches] { add_primitive(host, patches); },
+                  .contexts = Context::empty,
+                  .script = in_scripts(host, patches)});
 }
 
 void add_skin(CommandHost& host) {
@@ -104,14 +153,15 @@ void add_skin(CommandHost& host) {
   const MakeSource make = [](std::span<const OperationNumber> n) -> Result<Source> {
     return Source(SkinSource{arched_skin(n[0].value, n[1].value, n[2].value, count_of(n[3])), {}});
   };
+  const NewPrimitive skin{"Skin", translatable("Add skin"), numbers, make};
   host.table.add({.id = "add.skin",
                   .menu = "Add",
                   .label = "Skin",
                   .help = "Two sections on a path, and a surface over them.",
                   .changes_document = true,
-                  .run = [&host, numbers,
-                          make] { add_primitive(host, "Skin", translatable("Add skin"), numbers, make); },
-                  .contexts = Context::empty});
+                  .run = [&host, skin] { add_primitive(host, skin); },
+                  .contexts = Context::empty,
+                  .script = in_scripts(host, skin)});
 }
 
 void add_solids(const AddShape& add) {
@@ -215,15 +265,15 @@ void add_round(const AddShape& add) {
 void add_add_commands(CommandHost& host) {
   const auto add = [&host](const char* id, const std::string& menu, const char* label, const char* step,
                            const char* help, Numbers numbers, MakeMesh make) {
-    host.table.add(
-        {.id = id,
-         .menu = menu,
-         .label = label,
-         .help = help,
-         .changes_document = true,
-         .run = [&host, label, step, numbers = std::move(numbers),
-                 make = std::move(make)] { add_primitive(host, label, step, numbers, from_mesh(make)); },
-         .contexts = Context::empty});
+    const NewPrimitive primitive{label, step, std::move(numbers), from_mesh(std::move(make))};
+    host.table.add({.id = id,
+                    .menu = menu,
+                    .label = label,
+                    .help = help,
+                    .changes_document = true,
+                    .run = [&host, primitive] { add_primitive(host, primitive); },
+                    .contexts = Context::empty,
+                    .script = in_scripts(host, primitive)});
   };
   add_solids(add);
   add_round(add);

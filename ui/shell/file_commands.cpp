@@ -49,19 +49,22 @@ void add_opening(CommandTable& table, Editor& editor, Workbench& workbench) {
              .help = "Begin an empty document.",
              .keys = "Ctrl+N",
              .icon = icon::file,
+             .needs_window = true,
              .run = [&workbench] { workbench.new_document(); }});
   table.add({.id = "file.new_from_box",
              .menu = "File",
              .label = "New from box",
              .help = "Begin a document with a box.",
              .icon = icon::object,
-             .run = [&workbench, &editor] { workbench.guarded([&editor] { open_box(editor); }); }});
+             .run = [&workbench, &editor] { workbench.guarded([&editor] { open_box(editor); }); },
+             .script = {.run = [&editor](const Arguments&) { open_box(editor); }}});
   table.add({.id = "file.open",
              .menu = "File",
              .label = "Open\u2026",
              .help = "Open a Hariko document or a mesh.",
              .keys = "Ctrl+O",
              .icon = icon::open,
+             .needs_window = true,
              .run = [&workbench] {
                workbench.files().open([&workbench](const auto& path) { workbench.open_guarded(path); });
              }});
@@ -70,6 +73,7 @@ void add_opening(CommandTable& table, Editor& editor, Workbench& workbench) {
              .label = "Open recent\u2026",
              .help = "Open a file that was used before.",
              .keys = "Ctrl+Shift+O",
+             .needs_window = true,
              .run = [&workbench] { workbench.show_recent(); },
              .why_not = only_if([&workbench] { return !workbench.offers().recent.empty(); },
                                 "No file was opened or saved yet.")});
@@ -77,6 +81,7 @@ void add_opening(CommandTable& table, Editor& editor, Workbench& workbench) {
              .menu = "File",
              .label = "Open a sample\u2026",
              .help = "Open a model that came with Hariko, as a copy without a file.",
+             .needs_window = true,
              .run = [&workbench] { workbench.show_samples(); },
              .why_not = only_if([&workbench] { return !workbench.samples().empty(); },
                                 "The samples are not installed.")});
@@ -84,6 +89,7 @@ void add_opening(CommandTable& table, Editor& editor, Workbench& workbench) {
              .menu = "File",
              .label = "Recover\u2026",
              .help = "Open unsaved work of a session that ended without saving.",
+             .needs_window = true,
              .run = [&workbench] { workbench.show_recoveries(); },
              .why_not = only_if([&workbench] { return any_recovery(workbench.offers()); },
                                 "There is no unsaved work of an earlier session.")});
@@ -99,6 +105,7 @@ void add_saving(CommandHost& host, Workbench& workbench) {
              .help = "Save the document.",
              .keys = "Ctrl+S",
              .icon = icon::save,
+             .needs_window = true,
              .run = [&workbench] { workbench.save({}); },
              .why_not = document});
   table.add({.id = "file.save_as",
@@ -106,6 +113,7 @@ void add_saving(CommandHost& host, Workbench& workbench) {
              .label = "Save as\u2026",
              .help = "Save the document under another name.",
              .keys = "Ctrl+Shift+S",
+             .needs_window = true,
              .run = [&workbench] { workbench.files().save_as({}); },
              .why_not = document});
   table.add({.id = "file.save_copy",
@@ -113,6 +121,7 @@ void add_saving(CommandHost& host, Workbench& workbench) {
              .label = "Save a copy\u2026",
              .help = "Save under another name and go on with this file.",
              .keys = "Ctrl+Alt+S",
+             .needs_window = true,
              .run = [&workbench] { workbench.files().save_copy(); },
              .why_not = document});
   table.add({.id = "file.revert",
@@ -139,6 +148,7 @@ void add_exports(CommandTable& table, Editor& editor, Workbench& workbench) {
              .help = "Write the surfaces as triangles.",
              .keys = "Ctrl+E",
              .icon = icon::export_file,
+             .needs_window = true,
              .run = [&workbench] { workbench.files().export_triangles(); },
              .why_not = document});
   table.add(
@@ -147,6 +157,7 @@ void add_exports(CommandTable& table, Editor& editor, Workbench& workbench) {
        .label = "Export for CAD\u2026",
        .help =
            "Write the surfaces as STEP or IGES: splines with common edges, and solids where they are closed.",
+       .needs_window = true,
        .run = [&workbench] { workbench.files().export_cad(); },
        .why_not =
            [&editor, document] {
@@ -159,6 +170,7 @@ void add_exports(CommandTable& table, Editor& editor, Workbench& workbench) {
        .label = "Export control meshes\u2026",
        .help =
            "Write the control meshes of skins, with their creases, for programs that subdivide themselves.",
+       .needs_window = true,
        .run = [&workbench] { workbench.files().export_control(); },
        .why_not = only_if(
            document, [&editor] { return any_visible_skin(editor); },
@@ -174,12 +186,14 @@ void add_pictures(CommandTable& table, Editor& editor, Workbench& workbench) {
              .label = "Export picture\u2026",
              .help = "Write what the active view shows as a PNG picture, or its lines as SVG.",
              .separator_before = true,
+             .needs_window = true,
              .run = [&workbench] { workbench.files().picture(false); },
              .why_not = something_shown});
   table.add({.id = "file.export_turntable",
              .menu = "File",
              .label = "Export turntable\u2026",
              .help = "Write a series of pictures that goes once round the model.",
+             .needs_window = true,
              .run = [&workbench] { workbench.files().picture(true); },
              .why_not = something_shown});
 }
@@ -199,6 +213,7 @@ void add_file_commands(CommandHost& host, Workbench& workbench) {
              .icon = icon::import_file,
              .changes_document = true,
              .separator_before = true,
+             .needs_window = true,
              .run = [&workbench] { workbench.files().import(); }});
   add_picture_commands(host);
   add_exports(table, editor, workbench);
@@ -216,6 +231,7 @@ void add_file_commands(CommandHost& host, Workbench& workbench) {
              .help = "Close the document and go to the start page.",
              .keys = "Ctrl+W",
              .separator_before = true,
+             .needs_window = true,
              .run = [&workbench] { workbench.close_document(); },
              .why_not = needs_document(editor)});
   table.add({.id = "file.quit",
@@ -223,7 +239,9 @@ void add_file_commands(CommandHost& host, Workbench& workbench) {
              .label = "Quit",
              .help = "Leave Hariko.",
              .keys = "Ctrl+Q",
+             .needs_window = true,
              .run = [&workbench] { workbench.quit(); }});
+  use_files_in_scripts(host);
 }
 
 }  // namespace hariko

@@ -40,6 +40,7 @@ void add_recording(CommandHost& host, Workbench& workbench) {
              .help = translatable("Write what you do from here on to a file that plays it again."),
              .separator_before = true,
              .while_tool_runs = true,
+             .needs_window = true,
              .run = [&workbench] { workbench.files().record(); },
              .why_not = only_if(
                  needs_document(editor), [&editor] { return !editor.recording; },
@@ -49,6 +50,7 @@ void add_recording(CommandHost& host, Workbench& workbench) {
              .label = translatable("Stop recording"),
              .help = translatable("End the replay that is being recorded."),
              .while_tool_runs = true,
+             .needs_window = true,
              .run = [&host] { host.application.stop_recording(); },
              .why_not = only_if([&editor] { return editor.recording; },
                                 translatable("No replay is being recorded."))});
@@ -66,6 +68,7 @@ void add_help_commands(CommandHost& host, Workbench& workbench) {
              .keys = "F3 / Ctrl+Shift+P",
              .icon = icon::search,
              .while_tool_runs = true,
+             .needs_window = true,
              .run = [&workbench] { workbench.show_palette(); }});
   table.add({.id = "help.keys",
              .menu = translatable("Help"),
@@ -74,6 +77,7 @@ void add_help_commands(CommandHost& host, Workbench& workbench) {
              .keys = "F1 / ?",
              .icon = icon::keyboard,
              .while_tool_runs = true,
+             .needs_window = true,
              .run = [&workbench] { workbench.show_cheat_sheet(); }});
   table.add({.id = "help.context_menu",
              .menu = translatable("Help"),
@@ -81,6 +85,7 @@ void add_help_commands(CommandHost& host, Workbench& workbench) {
              .help = translatable("What can be done with what is under the pointer."),
              .keys = "Menu / Shift+F10",
              .while_tool_runs = true,
+             .needs_window = true,
              .run = [&workbench] { workbench.show_context_menu(); },
              .why_not = needs_document(editor)});
   add_recording(host, workbench);
@@ -89,6 +94,7 @@ void add_help_commands(CommandHost& host, Workbench& workbench) {
              .label = translatable("Open the log folder"),
              .help = translatable("Show the files that a report about a mistake of the program needs."),
              .while_tool_runs = true,
+             .needs_window = true,
              .run = [&host] { host.application.show_log_folder(); }});
   table.add({.id = "help.about",
              .menu = translatable("Help"),
@@ -97,6 +103,7 @@ void add_help_commands(CommandHost& host, Workbench& workbench) {
              .icon = icon::info,
              .separator_before = true,
              .while_tool_runs = true,
+             .needs_window = true,
              .run = [&workbench, &editor] { show_about(workbench, editor.language); }});
 }
 
@@ -109,16 +116,19 @@ void add_preferences_commands(CommandHost& host, Workbench& workbench) {
              .keys = "Ctrl+,",
              .icon = icon::settings,
              .separator_before = true,
+             .needs_window = true,
              .run = [&workbench] { workbench.show_preferences(); }});
   table.add({.id = "edit.export_keys",
              .menu = "Edit",
              .label = translatable("Export keys\u2026"),
              .help = translatable("Write the keys that are not the default ones to a file."),
+             .needs_window = true,
              .run = [&workbench] { workbench.files().export_keys(); }});
   table.add({.id = "edit.import_keys",
              .menu = "Edit",
              .label = translatable("Import keys\u2026"),
              .help = translatable("Take the keys of a file in place of those that are in use."),
+             .needs_window = true,
              .run = [&workbench] { workbench.files().import_keys(); }});
 }
 

@@ -15,6 +15,7 @@ void add_language_commands(CommandHost& host) {
                     .help = "Show the program in this language.",
                     .separator_before = first,
                     .while_tool_runs = true,
+                    .needs_window = true,
                     .run = [&editor, value] { editor.settings.language = value; },
                     .why_not = why_not,
                     .checked = [&editor, value] { return editor.settings.language == value; }});

@@ -5,6 +5,7 @@
 #include "core/document/edits/edits.hpp"
 #include "ui/base/icons.hpp"
 #include "ui/editor/command_host.hpp"
+#include "ui/editor/named_objects.hpp"
 #include "ui/editor/selected_items.hpp"
 
 namespace hariko {
@@ -25,22 +26,11 @@ void edit_each(Editor& editor, const Ids& ids, const std::string& step, const Ed
 }
 
 void duplicate(Editor& editor) {
-  Document document = editor.history.current();
-  std::vector<ObjectId> copies;
   const auto ids = chosen_ids(editor);
-  for (const ObjectId id : ids) {
-    auto added = duplicate_object(document, id);
-    if (!added.ok()) return editor.notify(added.error());
-    document = std::move(added->document);
-    copies.push_back(added->id);
-  }
-  editor.commit(document, counted_step("Duplicate object", "Duplicate {0} objects", ids.size()));
-  editor.selection.clear_elements();
-  editor.selection.clear_objects();
-  editor.selection.active = copies.front();
-  for (const ObjectId id : copies)
-    editor.selection.select({id, {Element::Kind::object, id.value}}, Selection::How::add);
-  editor.selection.active = copies.front();
+  const auto added = duplicate_objects(editor.history.current(), ids);
+  if (!added) return editor.notify(added.error());
+  editor.commit(added->document, counted_step("Duplicate object", "Duplicate {0} objects", ids.size()));
+  choose_objects(editor, added->ids);
 }
 
 void isolate(Editor& editor) {
@@ -71,10 +61,15 @@ void show_hidden(Editor& editor) {
             [](const Document& document, ObjectId id) { return set_visible(document, id, true); });
 }
 
-/// Unlocks where the active object is locked.
-void lock_chosen(Editor& editor) {
+void show_named(Editor& editor, const std::vector<std::string>& names) {
+  const auto ids = objects_named(editor.history.current(), names);
+  if (!ids) return editor.notify(ids.error());
+  edit_each(editor, *ids, counted_step("Show object", "Show {0} objects", ids->size()),
+            [](const Document& document, ObjectId id) { return set_visible(document, id, true); });
+}
+
+void lock_chosen(Editor& editor, bool lock) {
   const auto ids = chosen_ids(editor);
-  const bool lock = !editor.active_object()->locked;
   edit_each(editor, ids,
             lock ? counted_step("Lock object", "Lock {0} objects", ids.size())
                  : counted_step("Unlock object", "Unlock {0} objects", ids.size()),
@@ -146,17 +141,24 @@ void add_visibility_commands(CommandTable& table, Editor& editor, const WhyNot& 
        .icon = icon::shown,
        .changes_document = true,
        .run = [&editor] { show_hidden(editor); },
-       .why_not = only_if([&editor] { return any_hidden(editor); }, translatable("No object is hidden."))});
+       .why_not = only_if([&editor] { return any_hidden(editor); }, translatable("No object is hidden.")),
+       .script = {.arguments = {optional(list_argument("names", translatable("Objects")))},
+                  .run = [&editor](const Arguments& given) {
+                    given.has("names") ? show_named(editor, given.list("names")) : show_hidden(editor);
+                  }}});
   table.add({.id = "object.lock",
              .menu = "Edit",
              .label = "Lock",
              .help = "Protect the chosen objects from changes, or unlock them.",
              .icon = icon::locked,
              .changes_document = true,
-             .run = [&editor] { lock_chosen(editor); },
+             // Unlocks where the active object is locked.
+             .run = [&editor] { lock_chosen(editor, !editor.active_object()->locked); },
              .why_not = object,
              .checked = [&editor] { return editor.active_object() && editor.active_object()->locked; },
-             .contexts = Context::object});
+             .contexts = Context::object,
+             .script = {.arguments = {on_off_argument("on", translatable("Lock"), true)},
+                        .run = [&editor](const Arguments& given) { lock_chosen(editor, given.on("on")); }}});
 }
 
 void add_order_commands(CommandTable& table, Editor& editor) {
@@ -189,9 +191,16 @@ void add_object_commands(CommandHost& host) {
              .help = "Type another name.",
              .keys = "F2",
              .separator_before = true,
+             .needs_window = true,
              .run = [&editor] { editor.rename_wanted = true; },
              .why_not = object,
-             .contexts = Context::object});
+             .contexts = Context::object,
+             .script = {.arguments = {text_argument("name", translatable("Name"))},
+                        .run = [&editor](const Arguments& given) {
+                          editor.commit(rename_object(editor.history.current(), editor.selection.active,
+                                                      given.text("name")),
+                                        "Rename object");
+                        }}});
   table.add({.id = "object.duplicate",
              .menu = "Edit",
              .label = "Duplicate object",

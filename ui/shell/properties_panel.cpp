@@ -12,6 +12,7 @@
 #include "ui/analysis/display_panel.hpp"
 #include "ui/editor/object_size.hpp"
 #include "ui/editor/selected_items.hpp"
+#include "ui/measure/dimension_rows.hpp"
 #include "ui/outline/outline_rows.hpp"
 #include "ui/paper/paper_properties.hpp"
 #include "ui/pictures/picture_rows.hpp"
@@ -378,6 +379,7 @@ void draw_properties(PanelContext& context, const PanelRect& rect) {
       }
       draw_message_list(context, *objects.front());
     }
+    dimension_section(context);
     document_section(context);
     state.steady.end(context.marks, state.typing_row);
   }

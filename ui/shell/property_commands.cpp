@@ -5,6 +5,7 @@
 
 #include "core/document/edits/edit_skin.hpp"
 #include "ui/editor/skin_view.hpp"
+#include "ui/shell/property_scripts.hpp"
 #include "ui/shell/shell_commands.hpp"
 #include "ui/shell/workbench.hpp"
 #include "ui/skin/skin_properties.hpp"
@@ -135,6 +136,7 @@ Command property(std::string id, std::string menu, const char* label, const char
           .menu = std::move(menu),
           .label = label,
           .help = help,
+          .needs_window = true,
           .run = std::move(run),
           .why_not = std::move(why_not),
           .in_menu = false};
@@ -195,6 +197,7 @@ void add_skin_choices(CommandHost& host) {
             needs(editor, is_skin), [&editor] { return shown_skin(editor) != nullptr; },
             translatable("No skin is active. Click one in the list of objects.")));
     command.changes_document = true;
+    command.needs_window = false;
     host.table.add(std::move(command));
   }
 }
@@ -211,6 +214,7 @@ void add_property_commands(CommandHost& host, Workbench& workbench) {
     host.table.add(property(std::string("preferences.") + row.id, translatable("Preferences"), row.label,
                             row.help, [&workbench, page = row.page] { workbench.show_preferences(page); },
                             {}));
+  use_properties_in_scripts(host);
 }
 
 }  // namespace hariko

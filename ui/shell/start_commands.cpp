@@ -22,6 +22,7 @@ void add_start_commands(CommandHost& host) {
                   .help = "Make a model in two minutes, step by step.",
                   .icon = icon::info,
                   .while_tool_runs = true,
+                  .needs_window = true,
                   .run = [&editor] { start_guide(editor); },
                   .checked = [&editor] { return editor.guide.shown(); }});
 }

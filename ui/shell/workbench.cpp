@@ -5,11 +5,13 @@
 #include <GLFW/glfw3.h>
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "ui/base/icons.hpp"
 #include "ui/base/menu_letters.hpp"
 #include "ui/editor/selection_text.hpp"
+#include "ui/measure/dimension_layer.hpp"
 #include "ui/outline/outline_handles.hpp"
 #include "ui/paper/paper_layer.hpp"
 #include "ui/polyhedron/patch_commands.hpp"
@@ -38,6 +40,7 @@ std::vector<std::unique_ptr<ViewLayer>> view_layers() {
   layers.push_back(make_paper_layer());
   layers.push_back(std::make_unique<SkinOverlay>());
   layers.push_back(make_gauss_layer());
+  layers.push_back(make_dimension_layer());
   return layers;
 }
 
@@ -59,6 +62,7 @@ void Workbench::add_commands() {
   add_file_commands(host_, *this);
   add_edit_commands(host_);
   add_object_commands(host_);
+  add_arrange_commands(host_);
   add_preferences_commands(host_, *this);
   add_select_commands(host_);
   add_add_commands(host_);
@@ -75,6 +79,7 @@ void Workbench::add_commands() {
   add_paper_commands(host_);
   add_view_commands(host_);
   add_analyse_commands(host_);
+  add_measure_commands(host_);
   add_start_commands(host_);
   add_language_commands(host_);
   add_help_commands(host_, *this);
@@ -82,14 +87,30 @@ void Workbench::add_commands() {
   fill_context_menus(commands_);
   // A tool works on the document that it found: whatever changes it ends the tool first.
   commands_.before_run([this](const Command& command) {
+    found_ = state();
     if (!command.changes_document) return;
     viewport_.cancel_tool();
     if (editor_.history.in_gesture()) editor_.cancel_preview();
   });
   commands_.after_run([this](const Command& command, const CommandTable::Outcome& outcome) {
+    if (outcome.ran && made_a_step(command)) editor_.last_operation.take_up_command(editor_, command.id);
     ++command_log_.number;
     command_log_.last = {command.id, outcome};
   });
+}
+
+Workbench::State Workbench::state() const {
+  return {editor_.documents, editor_.history.serial(), editor_.last_operation.count()};
+}
+
+/// Whether the command that has just run made a step that is repeated by running it again. Operations that
+/// keep their numbers have been taken up already.
+bool Workbench::made_a_step(const Command& command) const {
+  static constexpr std::array others{"edit.undo", "edit.redo", "edit.repeat", "file.revert"};
+  const State now = state();
+  return command.changes_document && !command.needs_window && now.document == found_.document &&
+         now.serial > found_.serial && now.operations == found_.operations &&
+         std::find(others.begin(), others.end(), command.id) == others.end();
 }
 
 void Workbench::run_from_key(const Command& command) {
@@ -329,6 +350,7 @@ void Workbench::escape() {
   }
   if (text_field_active()) return;  // the field restores its text
   if (preferences_.is_open()) return preferences_.close();
+  if (editor_.dimensions.chosen(editor_)) return editor_.dimensions.choose_none();
   if (!editor_.notices().empty())
     editor_.notices().clear();
   else

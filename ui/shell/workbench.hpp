@@ -2,6 +2,7 @@
 
 // Workbench: the whole interface of one window. Owns the panels' state, the commands and the dialogs.
 
+#include <cstdint>
 #include <functional>
 #include <memory>
 
@@ -79,6 +80,7 @@ class Workbench final : public CommandServices {
   /// Brings a row of the properties into sight, and the keyboard to its field.
   void show_property(std::string id) { panel_state_.wanted_row = std::move(id); }
   FileDialogs& files() { return files_; }
+  const FileDialogs& files() const { return files_; }
   void export_pages() override { files_.export_pages(); }
   void add_picture() override { files_.add_picture(); }
   void replace_picture(ObjectId picture) override { files_.replace_picture(picture); }
@@ -91,6 +93,12 @@ class Workbench final : public CommandServices {
   void quit();
 
  private:
+  /// State of the editor: its document, that of the history, and the number of operations made.
+  struct State {
+    std::uint64_t document = 0, serial = 0, operations = 0;
+  };
+  State state() const;
+  bool made_a_step(const Command& command) const;
   void add_commands();
   void escape();
   /// F6, F10, letters of menus, and keys that go from item to item. True when the key is taken.
@@ -126,6 +134,7 @@ class Workbench final : public CommandServices {
   float paper_split_ = 0.5F, gauss_split_ = 0.55F;  ///< where these begin, of the width of the views
   std::map<std::string, std::string> keys_in_use_;  ///< of the settings
   CommandLog command_log_;
+  State found_;  ///< when the last command began
   KeyboardFocus keyboard_;
   FileDialogs files_;
   OffersDialog offers_dialog_;

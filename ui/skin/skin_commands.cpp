@@ -162,13 +162,21 @@ void add_section_commands(CommandHost& host) {
        .separator_before = true,
        .run = [&host,
                &editor] { host.application.add_section(shown_skin(editor)->id, place_for_section(editor)); },
-       .why_not = skin});
+       .why_not = skin,
+       .script = {.arguments = {optional(
+                      number_argument("place", translatable("Place on the path, 0 to 1"), {}, 0, 1))},
+                  .run = [&host, &editor](const Arguments& given) {
+                    host.application.add_section(shown_skin(editor)->id, given.has("place")
+                                                                             ? given.number("place")
+                                                                             : place_for_section(editor));
+                  }}});
   const auto tool = [&](const char* id, const char* label, const char* help, const WhyNot& why_not,
                         std::function<std::unique_ptr<Tool>()> make) {
     host.table.add({.id = id,
                     .menu = "Skin",
                     .label = label,
                     .help = help,
+                    .needs_window = true,
                     .run = [&host, make = std::move(make)] { host.viewport.start_modal(make()); },
                     .why_not = why_not});
   };
@@ -221,6 +229,7 @@ void add_skin_commands(CommandHost& host) {
                   .menu = "Skin",
                   .label = "Draw skin\u2026",
                   .help = "Draw a path and two sections, by hand or by points: a new skin.",
+                  .needs_window = true,
                   .run = [&host, &editor] {
                     begin_document(editor);
                     host.viewport.start_modal(make_draw_skin_tool());
@@ -231,6 +240,7 @@ void add_skin_commands(CommandHost& host) {
        .label = "Correspondences\u2026",
        .help = "Draw over the sections which points belong together: a line joins, a closed curve groups, a "
                "wedge merges.",
+       .needs_window = true,
        .run = [&host] { host.viewport.start_modal(make_correspond_tool()); },
        .why_not = skin});
   add_point_commands(host);

@@ -4,13 +4,16 @@
 #include <algorithm>
 #include <array>
 #include <memory>
+#include <utility>
 
 #include "core/document/edits/edit_solids.hpp"
 #include "core/envelope/ball/tightness.hpp"
 #include "core/envelope/bridge.hpp"
+#include "core/modeling/edit_result.hpp"
 #include "core/modeling/objects/primitives.hpp"
 #include "ui/editor/command_host.hpp"
 #include "ui/editor/new_object.hpp"
+#include "ui/editor/operation_arguments.hpp"
 #include "ui/solids/new_solids.hpp"
 #include "ui/solids/place_solid_tool.hpp"
 #include "ui/view/viewport.hpp"
@@ -45,6 +48,34 @@ void add(Editor& editor, const NewSolid& shape) {
   add_new_solid(editor, shape, shape.numbers(radius), put, place);
 }
 
+/// Use in scripts: sizes and places do not depend on what is there; `at` is in the document's space.
+ScriptUse solid_in_scripts(Editor& editor, const NewSolid& shape) {
+  const std::vector<OperationNumber> usual = shape.numbers(first_object_radius(Unit::millimetre));
+  ScriptUse use;
+  use.arguments = arguments_of(usual);
+  use.arguments.push_back(
+      point_argument("at", translatable("Location"), ArgumentUnit::length, Vector3(0, 0, 0)));
+  use.arguments.push_back(on_off_argument("new_object", translatable("Begins a new object"), false));
+  use.run = [&editor, shape, usual](const Arguments& given) {
+    begin_document(editor);
+    // Without an active object of solids a new one begins.
+    if (given.on("new_object")) editor.selection.active = {};
+    const Object* object = active_solids(editor);
+    Similarity place;
+    Vector3 at = given.point("at");
+    if (object)
+      at = object->transform.inverse().apply(at);
+    else
+      place.translation = std::exchange(at, Vector3(Vector3::Zero()));
+    const auto put = [at](Solid solid) {
+      solid.position = at;
+      return solid;
+    };
+    add_new_solid(editor, shape, with_values(usual, given), put, place);
+  };
+  return use;
+}
+
 std::vector<std::uint32_t> selected_solids(const Editor& editor) {
   std::vector<std::uint32_t> out;
   for (const VertexId id : editor.selection.of(editor.selection.active).vertices) out.push_back(id.value);
@@ -69,32 +100,6 @@ void duplicate_solids(Editor& editor) {
                                 ? translatable("Duplicate solid")
                                 : fill("Duplicate {0} solids", {std::to_string(copies.size())})))
     select_solids(editor, object, copies);
-}
-
-/// A row of copies of the selected solids, whose number and distance can be adjusted afterwards.
-void make_row(Editor& editor) {
-  const ObjectId object = editor.selection.active;
-  const std::vector<std::uint32_t> ids = selected_solids(editor);
-  const auto distance = [](const char* id, const char* label, double value) {
-    return OperationNumber{id, label, value, -max_primitive_length, max_primitive_length, false};
-  };
-  const auto make = [object, ids](const Document& document,
-                                  std::span<const OperationNumber> n) -> Result<OperationResult> {
-    std::vector<std::uint32_t> copies;
-    auto made =
-        array_solids(document, object, ids, int(n[0].value), {n[1].value, n[2].value, n[3].value}, copies);
-    if (!made) return made.error();
-    OperationResult result{std::move(made).value(), object};
-    for (const std::uint32_t id : copies) result.selected.vertices.insert(VertexId{id});
-    return result;
-  };
-  constexpr double usual_copies = 3, most_copies = max_solids - 1;
-  editor.last_operation.run(editor, translatable("Row of solids"),
-                            {{"copies", translatable("Copies"), usual_copies, 1, most_copies, true},
-                             distance("row_x", "X", width_of(*editor.active_object(), ids)),
-                             distance("row_y", "Y", 0),
-                             distance("row_z", "Z", 0)},
-                            make);
 }
 
 /// A bar between the two selected solids; its radius is that of a selected solid.
@@ -132,6 +137,53 @@ Reason needs_chosen_solids(const Editor& editor, const WhyNot& needs) {
   return translatable("No solid is selected. Click one.");
 }
 
+MakeOperation row_of(ObjectId object, std::vector<std::uint32_t> ids) {
+  return [object, ids = std::move(ids)](const Document& document,
+                                        std::span<const OperationNumber> n) -> Result<OperationResult> {
+    std::vector<std::uint32_t> copies;
+    auto made =
+        array_solids(document, object, ids, int(n[0].value), {n[1].value, n[2].value, n[3].value}, copies);
+    if (!made) return made.error();
+    OperationResult result{std::move(made).value(), object};
+    for (const std::uint32_t id : copies) result.selected.vertices.insert(VertexId{id});
+    return result;
+  };
+}
+
+Result<BegunOperation> begin_row(const Editor& editor) {
+  if (const Reason reason = needs_chosen_solids(editor, needs_object(editor)))
+    return make_error(e_wrong_selection, *reason);
+  return BegunOperation{row_of(editor.selection.active, selected_solids(editor))};
+}
+
+/// A row of copies of the selected solids, whose number and distance can be adjusted afterwards.
+void make_row(Editor& editor, std::vector<OperationNumber> numbers) {
+  OperationStep step;
+  step.label = translatable("Row of solids");
+  step.numbers = std::move(numbers);
+  step.make = row_of(editor.selection.active, selected_solids(editor));
+  step.begin = begin_row;
+  editor.last_operation.run(editor, std::move(step));
+}
+
+/// Numbers of a row to begin with.
+std::vector<OperationNumber> row_numbers(double width) {
+  const auto distance = [](const char* id, const char* label, double value) {
+    return OperationNumber{id, label, value, -max_primitive_length, max_primitive_length, false};
+  };
+  constexpr double usual_copies = 3, most_copies = max_solids - 1;
+  return {{"copies", translatable("Copies"), usual_copies, 1, most_copies, true},
+          distance("row_x", "X", width),
+          distance("row_y", "Y", 0),
+          distance("row_z", "Z", 0)};
+}
+
+ScriptUse row_in_scripts(Editor& editor) {
+  const std::vector<OperationNumber> usual = row_numbers(2 * first_object_radius(Unit::millimetre));
+  return {.arguments = arguments_of(usual),
+          .run = [&editor, usual](const Arguments& given) { make_row(editor, with_values(usual, given)); }};
+}
+
 Reason needs_two_solids(const Editor& editor, const WhyNot& needs) {
   if (auto reason = needs_solids(editor, needs)) return reason;
   const std::vector<std::uint32_t> ids = selected_solids(editor);
@@ -154,7 +206,8 @@ void add_new_solids(CommandHost& host) {
                     .label = shape.label,
                     .help = shape.help,
                     .changes_document = true,
-                    .run = [&editor, shape] { add(editor, shape); }});
+                    .run = [&editor, shape] { add(editor, shape); },
+                    .script = solid_in_scripts(editor, shape)});
   bool first = true;
   for (const NewSolid& shape : new_solids()) {
     host.table.add(
@@ -163,6 +216,7 @@ void add_new_solids(CommandHost& host) {
          .label = shape.label,
          .help = "Click where it is to stand, on the ground or on another solid; drag for its size.",
          .separator_before = first,
+         .needs_window = true,
          .run = [&host, shape] {
            begin_document(host.editor);
            host.viewport.start_modal(make_place_solid_tool(shape));
@@ -194,8 +248,12 @@ void add_solid_commands(CommandHost& host) {
            "Copy the selected solids several times, each as far from the last; number and distance can be "
            "changed right afterwards.",
        .changes_document = true,
-       .run = [&editor] { make_row(editor); },
-       .why_not = chosen});
+       .run =
+           [&editor] {
+             make_row(editor, row_numbers(width_of(*editor.active_object(), selected_solids(editor))));
+           },
+       .why_not = chosen,
+       .script = row_in_scripts(editor)});
   host.table.add({.id = "solid.bridge",
                   .menu = "Solids",
                   .label = "Bridge solids",

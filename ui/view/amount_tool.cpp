@@ -21,6 +21,28 @@ constexpr double fine_amount = 0.1;
 /// How near a drag comes to the amount at which something would shrink to nothing.
 constexpr double nearly_all = 0.98;
 
+/// The operation on what is selected now, with an amount in the document's space.
+Result<BegunOperation> amount_again(const Editor& editor, const AmountOperation& first, double amount,
+                                    Grouping grouping) {
+  auto again = first.again(editor);
+  if (!again) return again.error();
+  const Object* object = editor.history.current().find(again->object);
+  const double own = object ? amount / object->transform.scale : amount;
+  BegunOperation begun;
+  begun.label = again->label;
+  begun.make = [operation = std::move(again).value(), own, grouping](
+                   const Document& document, std::span<const OperationNumber>) -> Result<OperationResult> {
+    auto done = edit_polyhedron(document, operation.object, [&](const PolyhedronSource& source) {
+      return operation.apply(source, own, grouping);
+    });
+    if (!done) return done.error();
+    OperationResult result{done->document, operation.object, done->selection};
+    result.selects_as_operation = true;
+    return result;
+  };
+  return begun;
+}
+
 class AmountTool final : public Tool {
  public:
   explicit AmountTool(AmountOperation operation)
@@ -156,7 +178,18 @@ class AmountTool final : public Tool {
       return ToolState::cancel;
     }
     select_result(context.editor, operation_.object, result_);
+    remember(context.editor);
     return ToolState::commit;
+  }
+
+  void remember(Editor& editor) const {
+    if (!operation_.again) return;
+    OperationStep step;
+    step.label = operation_.label;
+    step.begin = [first = operation_, amount = amount_, grouping = grouping_](const Editor& now) {
+      return amount_again(now, first, amount, grouping);
+    };
+    editor.last_operation.take_up(editor, {}, std::move(step));
   }
 
   std::string value_text(const Language& tr) const {

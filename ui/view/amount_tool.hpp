@@ -25,6 +25,9 @@ struct AmountOperation {
   std::function<Result<EditResult>(const PolyhedronSource&, double amount, Grouping)> apply;
   /// The least amount that is refused as too large; infinity where there is none.
   std::function<double(const PolyhedronSource&, Grouping)> limit = {};
+  /// The operation on what is selected later, for repeating it, or why there is none; empty where it cannot
+  /// be repeated.
+  std::function<Result<AmountOperation>(const Editor&)> again = {};
 };
 
 /// Modal: the pointer drags the amount, digits type it, a click or Enter makes one step, Esc or a right click

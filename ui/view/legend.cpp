@@ -8,6 +8,7 @@
 
 #include "render/region_picking.hpp"
 #include "render/tension_colors.hpp"
+#include "ui/base/text_lines.hpp"
 #include "ui/editor/legend_source.hpp"
 
 namespace hariko {
@@ -68,7 +69,7 @@ void range_end(PanelContext& context, const LegendSource& source, bool high) {
 
 void draw_bar(PanelContext& context, const LegendSource& source) {
   const Metrics& m = context.metrics;
-  const ColorScale scale = scale_for(source.map, source.range, context.editor.settings.colour_blind_maps);
+  const bool safe = context.editor.settings.colour_blind_maps;
   const float height = m.px(color_bar_height), width = m.px(bar_width);
   const ImVec2 low = ImGui::GetCursorScreenPos();
   ImGui::Dummy({m.px(150), height});
@@ -76,13 +77,15 @@ void draw_bar(PanelContext& context, const LegendSource& source) {
   const auto y_of = [&](double fraction) { return low.y + height * static_cast<float>(1 - fraction); };
   const auto colour = [&](double fraction) {
     const double value = source.range.low + fraction * (source.range.high - source.range.low);
-    return to_imgui(color_at(scale, scale_fraction(scale, source.range, value)));
+    return to_imgui(color_of_value(source.map, source.range, safe, value));
   };
-  constexpr int parts = 64;
+  // A colour that begins with a step has a part of one colour.
+  const bool steps = has_limit(source.map);
+  const int parts = steps ? 150 : 64;
   for (int i = 0; i < parts; ++i) {
-    const double a = double(i) / parts, b = double(i + 1) / parts;
-    draw.AddRectFilledMultiColor({low.x, y_of(b)}, {low.x + width, y_of(a)}, colour(b), colour(b), colour(a),
-                                 colour(a));
+    const double a = double(i) / parts, b = double(i + 1) / parts, middle = (a + b) / 2;
+    const ImU32 above = colour(steps ? middle : b), below = colour(steps ? middle : a);
+    draw.AddRectFilledMultiColor({low.x, y_of(b)}, {low.x + width, y_of(a)}, above, above, below, below);
   }
   const std::size_t bins = source.histogram->size();
   const ImU32 grey = with_alpha(palette().text, 0.32F);
@@ -118,6 +121,40 @@ void range_menu(PanelContext& context, const LegendSource& source) {
   ImGui::EndPopup();
 }
 
+/// The parts below the limit and below the floor of the map, with their colours.
+void limit_rows(PanelContext& context, const LegendSource& source) {
+  if (!has_limit(source.map)) return;
+  const Metrics& m = context.metrics;
+  const bool safe = context.editor.settings.colour_blind_maps;
+  const auto row = [&](const Color& color, const std::string& text, const char* mark) {
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float side = ImGui::GetTextLineHeight();
+    ImGui::Dummy({m.px(bar_width) + m.px(6), side});
+    ImGui::GetWindowDrawList()->AddRectFilled(
+        {at.x, at.y + m.px(3)}, {at.x + m.px(bar_width), at.y + side - m.px(3)}, to_imgui(color));
+    ImGui::SameLine(0, 0);
+    ImGui::TextUnformatted(text.c_str());
+    context.marks.item(mark);
+  };
+  const std::string unit = unit_of(source.map, to_string(context.editor.document().unit));
+  const std::string limit =
+      format_number(source.range.centre, 4) + (source.map == SurfaceMap::draft ? "" : " ") + unit;
+  row(color_at(safe ? ColorScale::limit_safe : ColorScale::limit, 0.2),
+      fill(context.tr("less than {0}"), {limit}), "legend.limit");
+  if (const auto floor = floor_of(source.map, safe))
+    row(floor->color, context.tr("undercut"), "legend.floor");
+}
+
+void missing_section(PanelContext& context, const MissingMap& missing) {
+  const std::string text = context.tr.text_of(*missing.reason),
+                    remedy = context.tr.remedy_of(*missing.reason);
+  const float width = context.metrics.px(200);
+  const TextColour colour(palette().warning);
+  ImGui::TextUnformatted(
+      in_lines((missing.object.empty() ? text : missing.object + ": " + text) + " " + remedy, width).c_str());
+  context.marks.item("legend.missing");
+}
+
 void map_section(PanelContext& context, const LegendSource& source) {
   std::string title = context.tr(std::string(title_of(source.map)));
   const std::string unit = unit_of(source.map, to_string(context.editor.document().unit));
@@ -127,6 +164,7 @@ void map_section(PanelContext& context, const LegendSource& source) {
   draw_bar(context, source);
   range_end(context, source, false);
   range_menu(context, source);
+  limit_rows(context, source);
   if (ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem) &&
       ImGui::IsMouseClicked(ImGuiMouseButton_Right)) {
     MapRange reset = range_settings(context.editor, source);
@@ -272,7 +310,8 @@ void draw_legend(PanelContext& context, const PanelRect& viewport, const SceneBu
   if (view && !view->mesh) view = nullptr;
   const DisplaySettings display = view ? object->display : DisplaySettings();
   const auto combs = display.combs.shown ? view->combs : nullptr;
-  if (!map && !combs && !display.marks && !display.tensions) return;
+  const auto missing = missing_map(context.editor);
+  if (!map && !missing && !combs && !display.marks && !display.tensions) return;
   std::shared_ptr<const EdgeMarks> marks;
   for (std::size_t i = 0; view && i < scene.scene().objects.size(); ++i)
     if (scene.object_id(i) == object->id) marks = scene.scene().objects[i].marks;
@@ -298,6 +337,7 @@ void draw_legend(PanelContext& context, const PanelRect& viewport, const SceneBu
   section(combs != nullptr, [&] { combs_section(context, *combs); });
   section(display.marks, [&] { marks_section(context, marks.get()); });
   section(map.has_value(), [&] { map_section(context, *map); });
+  section(missing.has_value(), [&] { missing_section(context, *missing); });
   ImGui::End();
   ImGui::PopStyleColor();
   ImGui::PopStyleVar(3);

@@ -1,7 +1,6 @@
 // The probe: what the surface is under the pointer, at the lower right, and at a point that was kept.
 
 #include <array>
-#include <cmath>
 
 #include "ui/view/view_frame.hpp"
 
@@ -24,17 +23,9 @@ std::vector<Row> rows_of(const PanelContext& context, const SurfacePoint& point,
   const std::string unit(to_string(context.editor.document().unit));
   std::vector<Row> rows;
   const Object* object = context.editor.document().find(point.object);
-  const ViewMap& view = context.editor.view.map;
-  const SurfaceMap map = object ? shown_map(view, *object) : SurfaceMap::shaded;
-  if (has_values(map)) {
-    const std::string of_map = unit_of(map, unit);
-    // The view's colours are those of the world, where a scaled object is curved less.
-    const double divisor =
-        follows_view(view, *object) ? std::pow(object->transform.scale, scale_power(map)) : 1.0;
-    rows.push_back({tr(std::string(title_of(map))),
-                    std::isfinite(point.value) ? format_number(point.value / divisor, 4) + " " + of_map
-                                               : std::string(tr("undefined"))});
-  }
+  const SurfaceMap map = object ? shown_map(context.editor.view.map, *object) : SurfaceMap::shaded;
+  if (has_values(map))
+    rows.push_back({tr(std::string(title_of(map))), map_value_text(context.editor, tr, point)});
   if (reading.curvature) {
     const Curvature& c = *reading.curvature;
     rows.push_back({"k1  k2", format_number(c.k1, 4) + "  " + format_number(c.k2, 4) + " 1/" + unit});

@@ -6,6 +6,7 @@
 #include "ui/base/icons.hpp"
 #include "ui/editor/command_host.hpp"
 #include "ui/view/region_tool.hpp"
+#include "ui/view/select_scripts.hpp"
 #include "ui/view/viewport.hpp"
 
 namespace hariko {
@@ -62,7 +63,12 @@ void add_modes(CommandHost& host) {
                     .keys = keys,
                     .icon = symbol,
                     .run = [&editor, value] { change_mode(editor, value); },
-                    .checked = [&editor, value] { return editor.mode == value; }});
+                    .checked = [&editor, value] { return editor.mode == value; },
+                    .script = {.arguments = arguments_to_select(value),
+                               .run = [&editor, value](const Arguments& arguments) {
+                                 change_mode(editor, value);
+                                 select_as_written(editor, arguments);
+                               }}});
   };
   mode("select.vertices", "Vertices", "1", icon::vertex, ElementMode::vertex);
   mode("select.edges", "Edges", "2", icon::edge, ElementMode::edge);
@@ -277,6 +283,7 @@ void add_pointing(CommandHost& host) {
                   .help = "Drag a box, also over elements.",
                   .keys = "B",
                   .separator_before = true,
+                  .needs_window = true,
                   .run = [&viewport] { viewport.start_modal(make_region_tool(true)); },
                   .why_not = needs_document(editor)});
   host.table.add(switching({.id = "select.lasso",

@@ -4,6 +4,7 @@
 
 #include "ui/base/icons.hpp"
 #include "ui/editor/command_host.hpp"
+#include "ui/view/transform_scripts.hpp"
 #include "ui/view/transform_tool.hpp"
 #include "ui/view/viewport.hpp"
 
@@ -41,8 +42,10 @@ void add_tools(CommandHost& host) {
                     .keys = keys,
                     .icon = symbol,
                     .changes_document = true,
+                    .needs_window = true,
                     .run = [&viewport, kind] { viewport.start_modal(make_transform_tool(kind)); },
-                    .why_not = [&editor] { return nothing_to_transform(editor); }});
+                    .why_not = [&editor] { return nothing_to_transform(editor); },
+                    .script = transform_in_scripts(editor, kind)});
   };
   tool("transform.move", "Move", "Move the selection with the pointer or by typed lengths.", "G", icon::pan,
        TransformKind::move);

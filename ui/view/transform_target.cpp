@@ -100,6 +100,19 @@ TransformTarget TransformTarget::of(const Editor& editor) {
   return target;
 }
 
+TransformTarget TransformTarget::of_objects(const Editor& editor, Document document,
+                                            std::span<const ObjectId> objects) {
+  TransformTarget target;
+  target.document_ = std::move(document);
+  for (const ObjectId id : objects)
+    if (const Object* object = target.document_.find(id)) target.add_object(*object);
+  target.what_ = counted(target.parts_.size(), "object", "objects");
+  if (target.empty()) return target;
+  target.choose_pivot(editor);
+  target.local_frame_ = target.parts_.front().transform.rotation.toRotationMatrix();
+  return target;
+}
+
 void TransformTarget::freeze() {
   // Control nets of patches have vertices, too, but no tangents to keep.
   for (Part& part : parts_)

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,9 @@ class TransformTarget {
  public:
   /// The selected elements of all visible objects; in object mode the selected objects.
   static TransformTarget of(const Editor& editor);
+  /// Whole objects of a document that need not be the editor's, hidden ones, too.
+  static TransformTarget of_objects(const Editor& editor, Document document,
+                                    std::span<const ObjectId> objects);
 
   bool empty() const { return parts_.empty(); }
   /// Names what is transformed: "vertex", "3 vertices", "object".

@@ -9,6 +9,7 @@
 #include "core/document/length_units.hpp"
 #include "ui/editor/operations.hpp"
 #include "ui/view/overlay_drawing.hpp"
+#include "ui/view/transform_repeat.hpp"
 
 namespace hariko {
 
@@ -37,7 +38,9 @@ const char* verb(TransformKind kind) {
 
 void TransformTool::begin(ToolContext& context, const PointerEvent& press) {
   Editor& editor = context.editor;
-  target_ = TransformTarget::of(editor);
+  if (made_) editor.preview(made_->document);
+  target_ = made_ ? TransformTarget::of_objects(editor, made_->document, made_->objects)
+                  : TransformTarget::of(editor);
   from_ = at_ = pointer_ = press.pixel;
   camera_ = editor.camera();
   const double view = camera_.view_height();
@@ -88,6 +91,7 @@ void TransformTool::restart(ToolContext& context, TransformKind kind) {
   at.pixel = pointer_;
   auto next = std::make_unique<TransformTool>(kind, by_ == DrivenBy::typing ? by_ : DrivenBy::command);
   next->places_ = std::move(places_);  // what the scene shows now is the preview
+  next->made_ = made_;
   context.editor.cancel_preview();
   successor_ = std::move(next);
 }
@@ -279,7 +283,7 @@ ToolState TransformTool::show(ToolContext& context, bool confirmed) {
     error_ = editor.language.text_of(*error);
     return ToolState::stay;
   }
-  const auto result = target_.apply(editor.history.current(), done_, lock_.local);
+  const auto result = target_.apply(made_ ? made_->document : editor.history.current(), done_, lock_.local);
   if (result) {
     editor.preview(result);
     shown_ = true;
@@ -299,7 +303,14 @@ ToolState TransformTool::confirm(ToolContext& context) {
   if (input_.unfinished())
     if (const ToolState state = show(context, true); state != ToolState::stay) return state;
   if (!error_.empty()) return ToolState::stay;
-  context.editor.commit_preview(std::string(verb(kind_)) + " " + target_.describe());
+  Editor& editor = context.editor;
+  const Document before = editor.history.current();
+  const std::string step = made_ ? made_->step : std::string(verb(kind_)) + " " + target_.describe();
+  if (!editor.commit_preview(step)) return ToolState::commit;
+  if (made_)
+    made_->moved(editor, before, target_, done_);
+  else
+    remember_transform(editor, {verb(kind_), target_.local_frame(), done_, lock_.local});
   return ToolState::commit;
 }
 
@@ -422,77 +433,12 @@ std::string TransformTool::hint(const Language& tr) const {
   return text;
 }
 
-void TransformTool::draw(const ToolContext& context, const ToolOverlay& overlay) const {
-  if (target_.empty()) return;
-  draw_guides(context, overlay);
-  if (context.editor.transform.soft.on && target_.of_elements()) draw_falloff(context, overlay);
-  draw_snap(context, overlay);
-  Vector2 beside = pointer_;
-  if (by_ == DrivenBy::typing)
-    if (const auto pivot = context.projector().project(target_.pivot())) beside = pivot->head<2>();
-  if (error_.empty())
-    draw_value_label(overlay, beside, value_text(context.editor.language));
-  else
-    draw_value_label(overlay, beside, value_text(context.editor.language) + "   " + error_, true);
-}
-
-void TransformTool::draw_guides(const ToolContext& context, const ToolOverlay& overlay) const {
-  const Projector projector = context.projector();
-  const Vector3 through = kind_ == TransformKind::move ? anchor_ : target_.pivot();
-  for (int i = 0; i < 3; ++i) {
-    const bool shown = lock_.kind == AxisLock::Kind::axis
-                           ? i == lock_.axis
-                           : lock_.kind == AxisLock::Kind::plane && i != lock_.axis;
-    if (shown) draw_axis_line(overlay, projector, through, frame().col(i), axis_colour(i, 190));
-  }
-  if (kind_ == TransformKind::move || by_ == DrivenBy::typing) return;
-  if (const auto pivot = projector.project(target_.pivot()))
-    draw_dashed_line(overlay, pivot->head<2>(), pointer_, with_alpha(palette().text, 0.6F));
-}
-
-void TransformTool::draw_falloff(const ToolContext& context, const ToolOverlay& overlay) const {
-  const Projector projector = context.projector();
-  const auto pivot = projector.project(target_.pivot() + done_.translation);
-  if (!pivot) return;
-  const double pixels = context.editor.transform.soft.radius / projector.pixel_length_at(target_.pivot());
-  if (pixels < 20000)
-    overlay.list.AddCircle(on_screen(overlay, pivot->head<2>()),
-                           static_cast<float>(pixels) / ImGui::GetIO().DisplayFramebufferScale.x,
-                           with_alpha(palette().text, 0.7F), 96, overlay.metrics.px(1.2F));
-  for (const TransformTarget::Follower& follower : target_.followers()) {
-    const auto at = projector.project(done_.apply(follower.place, target_.pivot(), follower.weight));
-    if (!at) continue;
-    // From blue where little follows to the accent of the selection.
-    const auto mix = [&](int low, int high) {
-      return static_cast<int>(low + follower.weight * (high - low));
-    };
-    const ImVec2 centre = on_screen(overlay, at->head<2>());
-    overlay.list.AddCircleFilled(centre, overlay.metrics.px(4.5F), IM_COL32(20, 21, 24, 220));
-    overlay.list.AddCircleFilled(centre, overlay.metrics.px(3.5F),
-                                 IM_COL32(mix(0x4a, 0xf2), mix(0xa3, 0x9e), mix(0xdf, 0x38), 255));
-  }
-}
-
-void TransformTool::draw_snap(const ToolContext& context, const ToolOverlay& overlay) const {
-  if (!snap_) return;
-  const auto at = context.projector().project(snap_->point);
-  if (!at) return;
-  const ImVec2 centre = on_screen(overlay, at->head<2>());
-  const float r = overlay.metrics.px(7), w = overlay.metrics.px(2);
-  const ImU32 colour = palette().hot;
-  if (snap_->kind == SnapTarget::Kind::vertex) {
-    overlay.list.AddRect({centre.x - r, centre.y - r}, {centre.x + r, centre.y + r}, colour, 0, 0, w);
-  } else if (snap_->kind == SnapTarget::Kind::midpoint) {
-    overlay.list.AddTriangle({centre.x, centre.y - r}, {centre.x + r, centre.y + r},
-                             {centre.x - r, centre.y + r}, colour, w);
-  } else {
-    overlay.list.AddLine({centre.x - r, centre.y}, {centre.x + r, centre.y}, colour, w);
-    overlay.list.AddLine({centre.x, centre.y - r}, {centre.x, centre.y + r}, colour, w);
-  }
-}
-
 std::unique_ptr<Tool> make_transform_tool(TransformKind kind, DrivenBy by, AxisLock lock) {
   return std::make_unique<TransformTool>(kind, by, lock);
+}
+
+std::unique_ptr<Tool> make_transform_tool(NewObjects made) {
+  return std::make_unique<TransformTool>(TransformKind::move, std::move(made));
 }
 
 }  // namespace hariko

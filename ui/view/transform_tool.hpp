@@ -2,6 +2,11 @@
 
 // TransformTool: moves, rotates and scales what is selected.
 
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
 #include "ui/editor/numeric_input.hpp"
 #include "ui/view/axis_lock.hpp"
 #include "ui/view/snapping.hpp"
@@ -16,10 +21,23 @@ enum class TransformKind { move, rotate, scale };
 /// handle with a button down, or by typing alone.
 enum class DrivenBy { command, element, handle, typing };
 
+/// Objects that a command has just made: they join the document with the tool's step, and not at all where
+/// it is cancelled.
+struct NewObjects {
+  Document document;  ///< the current one with them
+  std::vector<ObjectId> objects;
+  std::string step;  ///< label of the step that makes and moves them
+  /// Is called after the step, with the document before it, what was moved, and how.
+  std::function<void(Editor&, const Document& before, const TransformTarget&, const Transformation&)> moved;
+};
+
 class TransformTool final : public Tool {
  public:
   explicit TransformTool(TransformKind kind, DrivenBy by = DrivenBy::command, AxisLock lock = {})
       : kind_(kind), by_(by), lock_(lock) {}
+  /// Moves new objects instead of what is selected.
+  TransformTool(TransformKind kind, NewObjects made)
+      : kind_(kind), by_(DrivenBy::command), made_(std::make_shared<const NewObjects>(std::move(made))) {}
 
   bool modal() const override { return by_ == DrivenBy::command || by_ == DrivenBy::typing; }
   void begin(ToolContext& context, const PointerEvent& press) override;
@@ -65,6 +83,7 @@ class TransformTool final : public Tool {
   TransformKind kind_;
   DrivenBy by_;
   AxisLock lock_;
+  std::shared_ptr<const NewObjects> made_;  ///< null: what is selected is transformed
   TransformTarget target_;
   std::optional<SnapPlaces> places_;  ///< that a move can jump to
   NumericInput input_;
@@ -91,5 +110,7 @@ class TransformTool final : public Tool {
 
 std::unique_ptr<Tool> make_transform_tool(TransformKind kind, DrivenBy by = DrivenBy::command,
                                           AxisLock lock = {});
+/// Moves objects that a command has just made.
+std::unique_ptr<Tool> make_transform_tool(NewObjects made);
 
 }  // namespace hariko

@@ -152,6 +152,7 @@ void add_view_commands(CommandHost& host) {
        .help = "Keep the readings of the surface under the pointer on the screen; over nothing, let them go.",
        .keys = "Ctrl+Alt+P",
        .separator_before = true,
+       .needs_window = true,
        .run = [&editor, &host] { editor.kept_probe = host.viewport.pointed_at(); },
        .why_not = needs_document(editor),
        .checked = [&editor] { return editor.kept_probe.has_value(); }});

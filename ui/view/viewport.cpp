@@ -75,6 +75,7 @@ void Viewport::draw(PanelContext& context, const PanelRect& rect) {
     for (const Place& place : panes_.places()) shown.push_back({place.view, ViewPanes::size_of(place)});
     update_layers();
     jumps_.update(editor_);
+    selection_size_.update(editor_);
     pictures_.update(editor_, scene_, shown, tool_active(), jumps_.count());
     for (const Place& place : panes_.places()) show(context, place);
     draw_legend(context, rect, scene_);
@@ -192,7 +193,7 @@ void Viewport::hover(const Vector2& pixel, bool inside) {
 
 double Viewport::next_frame_in() const {
   if (!editor_.has_document) return -1;
-  if (editor_.flying()) return 0;
+  if (editor_.flying() || (selection_size_.unfinished() && !editor_.history.in_gesture())) return 0;
   return pictures_.next_frame_in(editor_, tool_active());
 }
 
@@ -209,7 +210,8 @@ std::string Viewport::hint() const {
           : describe_in(editor_.has_document ? editor_.active_object() : nullptr,
                         editor_.selection.of_active(), editor_.language);
   const bool parallel = editor_.camera().orthographic;
-  return selected + "   |   " + tr(navigation_hint(editor_.settings.navigation, parallel));
+  const std::string size = selection_size_.text().empty() ? "" : "   " + selection_size_.text();
+  return selected + size + "   |   " + tr(navigation_hint(editor_.settings.navigation, parallel));
 }
 
 }  // namespace hariko

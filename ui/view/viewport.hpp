@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "ui/editor/scene_builder.hpp"
+#include "ui/editor/selection_size.hpp"
 #include "ui/view/patch_jumps.hpp"
 #include "ui/view/pointer_tools.hpp"
 #include "ui/view/view_layer.hpp"
@@ -73,6 +74,7 @@ class Viewport {
   PatchJumps jumps_;
   std::vector<std::unique_ptr<ViewLayer>> layers_;  ///< from above
   std::optional<SurfacePoint> pointed_at_;
+  SelectionSize selection_size_;
 };
 
 }  // namespace hariko

@@ -13,7 +13,8 @@ std::optional<int> choose(PanelContext& context, const char* id, const char* lab
   ImGui::SetNextItemWidth(-1);
   ImGui::PushID(id);
   const bool open = ImGui::BeginCombo(
-      "##combo", current < 0 ? tr("mixed") : tr(choices[static_cast<std::size_t>(current)].label));
+      "##combo", current < 0 ? tr("mixed") : tr(choices[static_cast<std::size_t>(current)].label),
+      ImGuiComboFlags_HeightLarge);  // a dozen without scrolling
   context.marks.item(std::string("combo.") + id);
   point_out(context, id);
   if (open) {

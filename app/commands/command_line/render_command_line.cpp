@@ -92,6 +92,24 @@ std::optional<SectionPlane> parse_section(std::string_view text) {
   return plane;
 }
 
+/// Parses a pull: "x", "-z", "view" (towards the eye), or a direction as "1,0,2".
+std::optional<Vector3> parse_pull(std::string_view text, StandardView view) {
+  if (text == "view") return Camera::standard(view).towards_eye();
+  const double side = text.starts_with('-') ? -1 : 1;
+  const std::string_view axis = text.substr(side < 0 ? 1 : 0);
+  if (axis == "x" || axis == "y" || axis == "z") return Vector3(side * Vector3::Unit(axis[0] - 'x'));
+  Vector3 out;
+  for (int i = 0; i < 3; ++i) {
+    const std::size_t comma = text.find(',');
+    const auto part = parse_number(text.substr(0, comma));
+    if (!part || (comma == std::string_view::npos) != (i == 2)) return std::nullopt;
+    out[i] = *part;
+    if (i < 2) text.remove_prefix(comma + 1);
+  }
+  if (out.isZero(0)) return std::nullopt;
+  return out;
+}
+
 Material material_from(std::string_view word) {
   constexpr std::array<std::string_view, material_count> words{"clay", "porcelain", "metal",
                                                                "wax",  "rubber",    "plastic"};
@@ -128,9 +146,16 @@ void RenderCommandLine::add_to(CLI::App& app) {
 void RenderCommandLine::add_looks() {
   picture_options_ = {
       command_->add_option("--map", map_, "What colours the surface")
-          ->check(CLI::IsMember(
-              {"shaded", "patches", "zebra", "isophotes", "gauss", "mean", "k1", "k2", "continuity"}))
+          ->check(CLI::IsMember({"shaded", "patches", "zebra", "isophotes", "gauss", "mean", "k1", "k2",
+                                 "continuity", "draft", "radius", "thickness", "deviation"}))
           ->capture_default_str(),
+      command_->add_option("--pull", pull_,
+                           "Of the map draft, where the part leaves its mould: x, -z, view, or X,Y,Z"),
+      command_->add_option(
+          "--limit", limit_,
+          "Of the maps draft, radius and thickness: degrees, or a length in the file's unit"),
+      command_->add_option("--deviation-from", arguments_.reference,
+                           "Of the map deviation: the object that the others are compared with"),
       command_
           ->add_option(
               "--show", show_,
@@ -197,6 +222,19 @@ void RenderCommandLine::check_picture() const {
     throw CLI::ValidationError("--range", "must be symmetric, percentile, full, or two numbers as -1,1");
   if (!colour_.empty() && !parse_colour(colour_))
     throw CLI::ValidationError("--colour", "must be like #b9b4ac");
+  check_making();
+}
+
+void RenderCommandLine::check_making() const {
+  if (!pull_.empty() && !parse_pull(pull_, *standard_view_from(view_)))
+    throw CLI::ValidationError("--pull", "must be an axis as x or -z, view, or a direction as 1,0,2");
+  if (!limit_) return;
+  const SurfaceMap map = *surface_map_from(map_);
+  if (!has_limit(map)) throw CLI::ValidationError("--limit", "is for the maps draft, radius and thickness");
+  if (map == SurfaceMap::draft && !(*limit_ >= 0 && *limit_ <= MakingSettings::max_draft))
+    throw CLI::ValidationError("--limit", "must be 0 to 89 degrees");
+  if (map != SurfaceMap::draft && !(*limit_ > 0 && std::isfinite(*limit_)))
+    throw CLI::ValidationError("--limit", "must be a length above 0");
 }
 
 void RenderCommandLine::check_drawing() const {
@@ -237,6 +275,8 @@ RenderArguments RenderCommandLine::picture() const {
   out.marks = shows("marks");
   out.combs = shows("combs");
   out.range = *parse_range(range_);
+  if (!pull_.empty()) out.pull = parse_pull(pull_, out.view);
+  out.limit = limit_;
   out.wire = wire_ == "mesh" ? PatchWire::mesh : (wire_ == "borders" ? PatchWire::borders : PatchWire::none);
   if (!material_.empty()) out.material = material_from(material_);
   if (!colour_.empty()) out.colour = parse_colour(colour_);

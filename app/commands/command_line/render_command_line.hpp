@@ -2,6 +2,7 @@
 
 // Command line options of `hariko render`. Internal to this folder.
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -32,6 +33,7 @@ class RenderCommandLine {
   /// Whether OUT is a line drawing, by its ending or by --format.
   bool is_drawing() const;
   void check_picture() const;
+  void check_making() const;
   void check_drawing() const;
   RenderArguments picture() const;
   DrawingArguments drawing() const;
@@ -39,9 +41,10 @@ class RenderCommandLine {
   CLI::App* command_ = nullptr;
   std::vector<CLI::Option*> picture_options_, drawing_options_;  ///< options of only one of the two
   std::string file_, out_, format_, size_ = "1280x960", view_ = "iso", map_ = "shaded", range_ = "symmetric",
-                                    material_, colour_, wire_ = "none", section_, background_ = "dark";
+                                    material_, colour_, wire_ = "none", section_, background_ = "dark", pull_;
   std::vector<std::string> show_, lines_;
   RenderArguments arguments_;
+  std::optional<double> limit_;
   bool hidden_ = false;
 };
 

@@ -9,6 +9,7 @@
 #include "app/commands/command_line/export_command_line.hpp"
 #include "app/commands/command_line/mesh_command_line.hpp"
 #include "app/commands/command_line/render_command_line.hpp"
+#include "app/commands/command_line/script_command_line.hpp"
 #include "app/commands/command_line/standard_streams.hpp"
 #include "app/commands/command_line/suggestions.hpp"
 #include "app/commands/command_line/unfold_command_line.hpp"
@@ -37,6 +38,7 @@ class CommandLine {
     mesh_.add_to(app_);
     add_evaluate();
     unfold_.add_to(app_);
+    script_.add_to(app_, streams_);
     add_sample_pictures();
     for (CLI::App* command : {info_, export_.command(), render_.command(), mesh_.command(), evaluate_})
       construction_.add_to(*command);
@@ -69,6 +71,7 @@ class CommandLine {
     if (*unfold_.command()) return streams_.finish(run_unfold(unfold_.arguments()));
     if (*mesh_.command()) return streams_.finish(run_mesh(mesh_.arguments(construction)));
     if (*evaluate_) return run_evaluate(evaluate_arguments_);
+    if (*script_.command()) return streams_.finish(script_.run());
     if (*pictures_) return run_sample_pictures(assets_, pictures_folder_);
     report_missing(window_.options());
     return window_.options();
@@ -117,6 +120,7 @@ class CommandLine {
     if (*unfold_.command()) unfold_.check();
     if (*render_.command()) render_.check();
     if (*mesh_.command()) mesh_.check();
+    if (*script_.command()) script_.check();
     // A mistyped command may also follow the window's options.
     if (const auto& files = window_.options().files; !files.empty()) check_first_word(files.front().string());
   }
@@ -142,6 +146,7 @@ class CommandLine {
   MeshCommandLine mesh_;
   RenderCommandLine render_;
   UnfoldCommandLine unfold_;
+  ScriptCommandLine script_;
   ConstructionCommandLine construction_;
   StandardStreams streams_;
 };

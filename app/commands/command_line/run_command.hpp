@@ -1,7 +1,7 @@
 #pragma once
 
 // Command line of the program: the window, or `hariko info`, `export`, `render`, `mesh`, `evaluate`,
-// `unfold`, as docs/cli.md describes.
+// `unfold`, `run`, as docs/cli.md describes.
 
 #include <variant>
 

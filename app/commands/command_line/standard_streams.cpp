@@ -106,22 +106,48 @@ const std::filesystem::path& StandardStreams::folder() {
   return folder_->path();
 }
 
+void StandardStreams::read(CLI::Option& option, std::string format) {
+  option.transform([this, name = option.get_name(), format = std::move(format)](
+                       std::string value) { return value == "-" ? keep_input(name, format) : value; },
+                   "");
+}
+
+void StandardStreams::write(CLI::Option& option, std::string format) {
+  option.transform([this, format = std::move(format)](
+                       std::string value) { return value == "-" ? redirect_output(format) : value; },
+                   "");
+}
+
 std::string StandardStreams::input(const CLI::Option& from) {
+  return keep_input("FILE", from.empty() ? std::string() : from.results().front());
+}
+
+/// `name`: of the argument, for messages.
+std::string StandardStreams::keep_input(const std::string& name, const std::string& format) {
+  if (!in_.empty() && reader_ != name)
+    throw CLI::ValidationError(name, "only one file can come from the standard input");
   if (!in_.empty()) return in_.string();
   const std::string bytes = read_all_input();
-  const auto ending = from.empty() ? ending_of(bytes) : std::optional(from.results().front());
+  const auto ending = format.empty() ? ending_of(bytes) : std::optional(format);
   if (!ending)
-    throw CLI::ValidationError("FILE", "the standard input does not tell its format; say it with --from");
+    throw CLI::ValidationError(name, name == "FILE"
+                                         ? "the standard input does not tell its format; say it with --from"
+                                         : "the standard input does not tell its format; name a file");
   in_ = folder() / ("input." + *ending);
+  reader_ = name;
   if (!write_file_atomic(in_, bytes).ok())
-    throw CLI::ValidationError("FILE", "the standard input cannot be kept in a temporary file");
+    throw CLI::ValidationError(name, "the standard input cannot be kept in a temporary file");
   return in_.string();
 }
 
 std::string StandardStreams::output(const CLI::Option& to) {
   if (to.empty()) throw CLI::ValidationError("OUT", "say with --to which format the standard output gets");
+  return redirect_output(to.results().front());
+}
+
+std::string StandardStreams::redirect_output(const std::string& format) {
   if (!out_.empty()) throw CLI::ValidationError("OUT", "only one file can go to the standard output");
-  out_ = folder() / ("output." + to.results().front());
+  out_ = folder() / ("output." + format);
   // Reports of the commands go to the error stream.
   saved_output_ = ::dup(STDOUT_FILENO);
   if (saved_output_ < 0 || ::dup2(STDERR_FILENO, STDOUT_FILENO) < 0)

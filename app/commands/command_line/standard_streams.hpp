@@ -27,6 +27,10 @@ class StandardStreams {
 
   /// Adds --from, and --to where the command has an OUT, after these arguments were added.
   void add_to(CLI::App& command);
+  /// Lets "-" as the value of an option be the standard input in a format, which the first bytes tell where
+  /// it is empty; or the standard output.
+  void read(CLI::Option& option, std::string format);
+  void write(CLI::Option& option, std::string format);
   /// Validates the options after parsing: --from and --to are for "-" only. Throws CLI::ValidationError.
   void check() const;
   /// Copies OUT to the standard output after the job. Returns the job's exit code `code`, or 1 on failure.
@@ -35,10 +39,13 @@ class StandardStreams {
  private:
   std::string input(const CLI::Option& from);
   std::string output(const CLI::Option& to);
+  std::string keep_input(const std::string& name, const std::string& format);
+  std::string redirect_output(const std::string& format);
   const std::filesystem::path& folder();
 
   std::unique_ptr<ScratchFolder> folder_;
   std::filesystem::path in_, out_;  ///< empty where a file is named
+  std::string reader_;              ///< the argument that is the standard input
   int saved_output_ = -1;
   std::string from_, to_;
 };

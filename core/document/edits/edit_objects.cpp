@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "core/document/edits/edit_attachments.hpp"
+#include "core/document/edits/edit_dimensions.hpp"
 #include "core/document/edits/edit_support.hpp"
 
 namespace hariko {
@@ -99,9 +100,73 @@ bool has_room(const Document& document, std::size_t count) {
          document.next_object_id.value <= no_index - count;
 }
 
+/// Appends dimensions of another document under new ids. Those that name an object which did not come along
+/// stay behind. O(dimensions).
+Result<Document> with_appended_dimensions(const Document& document, const Dimensions& others,
+                                          const std::map<ObjectId, ObjectId>& renamed) {
+  if (others.empty()) return document;
+  Dimensions all = *document.dimensions;
+  DimensionId next = next_dimension_id(all);
+  for (Dimension dimension : others) {
+    const bool complete =
+        std::all_of(dimension.anchors.begin(), dimension.anchors.end(), [&](Anchor& anchor) {
+          ObjectId* object = object_of(anchor);
+          if (!object) return true;
+          const auto found = renamed.find(*object);
+          if (found == renamed.end()) return false;
+          *object = found->second;
+          return true;
+        });
+    if (!complete) continue;
+    dimension.id = next;
+    all.push_back(std::move(dimension));
+    next = next.value < max_dimension_id ? DimensionId{next.value + 1} : next_dimension_id(all);
+  }
+  if (all.size() > Document::max_dimensions) return too_many_dimensions();
+  Document result = document;
+  result.dimensions = std::move(all);
+  return result;
+}
+
 std::map<ObjectId, const Object*> by_id(const Document& document) {
   std::map<ObjectId, const Object*> out;
   for (const auto& object : document.objects) out.emplace(object->id, object.get());
+  return out;
+}
+
+/// Names for new objects, none of them twice.
+class FreeNames {
+ public:
+  explicit FreeNames(const Document& document) {
+    for (const auto& object : document.objects) taken_.insert(object->name);
+  }
+
+  /// Finds the free name as `free_name` describes it, and takes it.
+  std::string take(const std::string& name) {
+    if (taken_.insert(name).second) return name;
+    const std::size_t digits = name.find_last_not_of("0123456789") + 1;
+    const bool numbered = digits < name.size() && digits > 1 && name[digits - 1] == ' ';
+    const std::string base = numbered ? name.substr(0, digits - 1) : name;
+    for (std::size_t& number = next_.try_emplace(base, 2).first->second;; ++number) {
+      std::string candidate = detail::name_with(base, " " + std::to_string(number));
+      if (taken_.insert(candidate).second) return candidate;
+    }
+  }
+
+ private:
+  std::set<std::string> taken_;
+  std::map<std::string, std::size_t> next_;  ///< by base: lower numbers are taken
+};
+
+/// Objects of the document, each followed by its copies.
+std::vector<std::shared_ptr<const Object>> with_copies(
+    const Document& document, std::map<ObjectId, std::vector<std::shared_ptr<const Object>>>& copies) {
+  std::vector<std::shared_ptr<const Object>> out;
+  for (const auto& object : document.objects) {
+    out.push_back(object);
+    if (const auto found = copies.find(object->id); found != copies.end())
+      std::move(found->second.begin(), found->second.end(), std::back_inserter(out));
+  }
   return out;
 }
 
@@ -143,7 +208,7 @@ Result<Document> append_document(const Document& document, const Document& other
     }
     result.objects.push_back(std::make_shared<const Object>(std::move(copy)));
   }
-  return result;
+  return with_appended_dimensions(result, *other.dimensions, renamed);
 }
 
 Result<Document> delete_objects(const Document& document, std::span<const ObjectId> objects) {
@@ -154,7 +219,7 @@ Result<Document> delete_objects(const Document& document, std::span<const Object
     if (found->second->locked) return detail::locked_object(*found->second);
   }
   const std::set<ObjectId> chosen(objects.begin(), objects.end());
-  Document result = document;
+  Document result = without_dimensions_of(document, objects);
   std::vector<std::shared_ptr<const Object>> gone;
   std::erase_if(result.objects, [&](const auto& object) {
     if (!chosen.contains(object->id)) return false;
@@ -191,34 +256,52 @@ Result<Document> reorder_objects(const Document& document, std::span<const Objec
   return result;
 }
 
-Result<Added> duplicate_object(const Document& document, ObjectId object) {
-  const auto original = std::find_if(document.objects.begin(), document.objects.end(),
-                                     [&](const auto& candidate) { return candidate->id == object; });
-  if (original == document.objects.end()) return detail::unknown_object(object);
-  if (!has_room(document, 1)) return too_many_objects();
-  Object copy = **original;
-  copy.id = document.next_object_id;
-  copy.name = free_name(document, copy.name);
-  copy.locked = false;
-  if (copy.polyhedron()) copy.source = frozen_source(**original, document.objects);
-  Added added{document, copy.id};
-  added.document.objects.insert(added.document.objects.begin() + (original - document.objects.begin()) + 1,
-                                std::make_shared<const Object>(std::move(copy)));
-  ++added.document.next_object_id.value;
+Result<AddedObjects> duplicate_objects(const Document& document, std::span<const ObjectId> objects,
+                                       std::size_t copies, const ChangeCopy& change) {
+  const std::map<ObjectId, const Object*> known = by_id(document);
+  std::vector<const Object*> originals;
+  std::set<ObjectId> given;
+  for (const ObjectId id : objects) {
+    const auto found = known.find(id);
+    if (found == known.end()) return detail::unknown_object(id);
+    if (given.insert(id).second) originals.push_back(found->second);
+  }
+  if (copies > Document::max_objects || !has_room(document, originals.size() * copies))
+    return too_many_objects();
+  AddedObjects added{document, {}};
+  FreeNames names(document);
+  std::map<ObjectId, std::vector<std::shared_ptr<const Object>>> made;
+  for (const Object* original : originals) {
+    Object copy = *original;
+    copy.locked = false;
+    if (copy.polyhedron()) copy.source = frozen_source(*original, document.objects);
+    for (std::size_t number = 1; number <= copies; ++number) {
+      copy.id = added.document.next_object_id;
+      copy.name = names.take(original->name);
+      Result<Object> changed = change ? change(copy, number) : Result<Object>(copy);
+      if (!changed) {
+        Message error = changed.error();
+        error.element = element_of(original->id);
+        return error;
+      }
+      made[original->id].push_back(std::make_shared<const Object>(std::move(changed).value()));
+      added.ids.push_back(copy.id);
+      ++added.document.next_object_id.value;
+    }
+  }
+  added.document.objects = with_copies(document, made);
   return added;
 }
 
+Result<Added> duplicate_object(const Document& document, ObjectId object) {
+  auto added = duplicate_objects(document, std::span(&object, 1));
+  if (!added) return added.error();
+  const ObjectId copy = added->ids.front();
+  return Added{std::move(added).value().document, copy};
+}
+
 std::string free_name(const Document& document, const std::string& name) {
-  std::set<std::string_view> taken;
-  for (const auto& object : document.objects) taken.insert(object->name);
-  if (!taken.contains(name)) return name;
-  const std::size_t digits = name.find_last_not_of("0123456789") + 1;
-  const bool numbered = digits < name.size() && digits > 1 && name[digits - 1] == ' ';
-  const std::string base = numbered ? name.substr(0, digits - 1) : name;
-  for (std::size_t number = 2;; ++number) {
-    std::string candidate = detail::name_with(base, " " + std::to_string(number));
-    if (!taken.contains(candidate)) return candidate;
-  }
+  return FreeNames(document).take(name);
 }
 
 Result<Document> rename_object(const Document& document, ObjectId object, std::string name) {

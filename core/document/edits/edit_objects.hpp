@@ -2,8 +2,10 @@
 
 // Edits of whole objects: add, delete, duplicate, rename, show, place.
 
+#include <functional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "core/document/document.hpp"
 
@@ -24,12 +26,12 @@ struct Added {
 Result<Added> add_object(const Document& document, std::string name, Source source,
                          const Similarity& transform = {}, const DisplaySettings& display = {});
 
-/// Appends every object of `other` under new ids (opening a file into the scene). Coordinates stay as
-/// numbers; units are not converted. Errors: E_TOO_MANY_OBJECTS.
+/// Appends every object of `other` under new ids (opening a file into the scene), and its dimensions.
+/// Coordinates stay as numbers; units are not converted. Errors: E_TOO_MANY_OBJECTS, E_TOO_MANY_DIMENSIONS.
 Result<Document> append_document(const Document& document, const Document& other);
 
-/// Deletes objects. Edges of others that are attached to them keep copies of their sides. Errors:
-/// E_UNKNOWN_OBJECT, E_LOCKED.
+/// Deletes objects, and the dimensions that name them. Edges of others that are attached to them keep copies
+/// of their sides. Errors: E_UNKNOWN_OBJECT, E_LOCKED.
 Result<Document> delete_objects(const Document& document, std::span<const ObjectId> objects);
 
 /// Moves objects, in their present order, before the one now at `position` (0 .. number of objects; the
@@ -38,8 +40,22 @@ Result<Document> reorder_objects(const Document& document, std::span<const Objec
                                  std::size_t position);
 
 /// Duplicates an object. The copy follows its original in the list, its attached edges keep copies of their
-/// sides, it is called "<name> copy" and is not locked. Errors: E_UNKNOWN_OBJECT, E_TOO_MANY_OBJECTS.
+/// sides, it gets a free name (`free_name`) and is not locked. Errors: E_UNKNOWN_OBJECT, E_TOO_MANY_OBJECTS.
 Result<Added> duplicate_object(const Document& document, ObjectId object);
+
+/// A document and the objects that the edit made.
+struct AddedObjects {
+  Document document;
+  std::vector<ObjectId> ids;
+};
+/// Changes copy number 1, 2, ... of an object before it joins the document. Its id and name must stay.
+using ChangeCopy = std::function<Result<Object>(const Object& copy, std::size_t number)>;
+/// Duplicates each of the objects `copies` times, as `duplicate_object` does; the copies of an object follow
+/// it in their order. The ids are those of the copies of the first object that is given, then of the second,
+/// and so on; an object that is given twice counts once. Errors: as above, and those of `change`, which then
+/// name the original. O(n log n) in the objects and copies together.
+Result<AddedObjects> duplicate_objects(const Document& document, std::span<const ObjectId> objects,
+                                       std::size_t copies = 1, const ChangeCopy& change = {});
 
 /// Returns the name itself where no object has it, else with the lowest free number: "Box", "Box 2", "Box 3".
 /// A number at the end of the name is counted on from: after "Box 2" comes "Box 3". Not longer than

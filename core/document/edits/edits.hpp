@@ -7,7 +7,9 @@
 // part; everything else is shared with the given document.
 
 #include "core/document/edits/edit_attachments.hpp"
+#include "core/document/edits/edit_dimensions.hpp"
 #include "core/document/edits/edit_elements.hpp"
+#include "core/document/edits/edit_making.hpp"
 #include "core/document/edits/edit_objects.hpp"
 #include "core/document/edits/edit_paper.hpp"
 #include "core/document/edits/edit_pictures.hpp"

@@ -12,9 +12,10 @@ using namespace std::string_view_literals;
 
 using Names = std::span<const std::string_view>;
 inline constexpr std::array unit_names{"mm"sv, "cm"sv, "m"sv, "in"sv};
-inline constexpr std::array map_names{"shaded"sv,        "patches"sv,    "zebra"sv,
-                                      "gaussian"sv,      "mean"sv,       "principal_max"sv,
-                                      "principal_min"sv, "continuity"sv, "isophotes"sv};
+inline constexpr std::array map_names{"shaded"sv,    "patches"sv,       "zebra"sv,         "gaussian"sv,
+                                      "mean"sv,      "principal_max"sv, "principal_min"sv, "continuity"sv,
+                                      "isophotes"sv, "draft"sv,         "radius"sv,        "thickness"sv,
+                                      "deviation"sv};
 inline constexpr std::array material_names{"clay"sv, "porcelain"sv, "metal"sv,
                                            "wax"sv,  "rubber"sv,    "plastic"sv};
 inline constexpr std::array wire_names{"none"sv, "borders"sv, "mesh"sv};
@@ -26,8 +27,8 @@ inline constexpr std::array axis_names{"x"sv, "y"sv, "z"sv};
 inline constexpr std::array pin_names{"tangents"sv, "normal"sv};
 
 /// Members that this version knows; all others are kept unchanged, or refused where that is not possible.
-inline constexpr std::array document_members{"format"sv,         "version"sv, "unit"sv,
-                                             "next_object_id"sv, "objects"sv, "paper"sv};
+inline constexpr std::array document_members{"format"sv,  "version"sv,    "unit"sv,   "next_object_id"sv,
+                                             "objects"sv, "dimensions"sv, "making"sv, "paper"sv};
 inline constexpr std::array object_members{"id"sv,        "name"sv,    "visible"sv, "locked"sv,
                                            "transform"sv, "display"sv, "source"sv};
 inline constexpr std::array transform_members{"rotation"sv, "scale"sv, "translation"sv};
@@ -37,8 +38,9 @@ inline constexpr std::array display_members{"surface"sv, "polyhedron"sv, "networ
 inline constexpr std::array combs_members{"shown"sv, "density"sv, "scale"sv};
 inline constexpr std::array range_members{"mode"sv, "low"sv, "high"sv};
 /// Names of the maps in `DisplaySettings::ranges`, in that order.
-inline constexpr std::array ranges_members{"gaussian"sv, "mean"sv, "principal_max"sv, "principal_min"sv,
-                                           "continuity"sv};
+inline constexpr std::array ranges_members{"gaussian"sv,      "mean"sv,       "principal_max"sv,
+                                           "principal_min"sv, "continuity"sv, "draft"sv,
+                                           "radius"sv,        "thickness"sv,  "deviation"sv};
 inline constexpr std::array polyhedron_members{
     "kind"sv,   "mode"sv,     "frames"sv, "round"sv,     "mirror"sv,  "preparation"sv,
     "origin"sv, "vertices"sv, "faces"sv,  "alpha"sv,     "beta"sv,    "crease"sv,
@@ -89,6 +91,14 @@ inline constexpr std::array fit_names{"none"sv, "local"sv, "fair"sv};
 inline constexpr std::array cost_names{"parameter"sv, "shape"sv};
 inline constexpr std::array strip_side_names{"a"sv, "b"sv};
 inline constexpr std::array mesh_members{"kind"sv, "origin"sv, "vertices"sv, "faces"sv};
+
+inline constexpr std::array dimension_members{"id"sv, "kind"sv, "anchors"sv, "label"sv};
+inline constexpr std::array anchor_members{"object"sv, "point"sv, "solid"sv, "vertex"sv,
+                                           "image"sv,  "edge"sv,  "share"sv, "straight"sv,
+                                           "patch"sv,  "side"sv,  "at"sv,    "nearest"sv};
+inline constexpr std::array dimension_names{"distance"sv, "angle"sv, "radius"sv};
+
+inline constexpr std::array making_members{"pull"sv, "draft"sv, "radius"sv, "thickness"sv, "reference"sv};
 
 inline constexpr std::array paper_members{"objects"sv,  "of_polyhedra"sv, "distance"sv,  "normal_angle"sv,
                                           "settings"sv, "goal"sv,         "steps"sv,     "vertices"sv,

@@ -4,6 +4,7 @@
 #include "core/document/edits/edit_support.hpp"
 #include "core/document/format/format.hpp"
 #include "core/document/format/format_names.hpp"
+#include "core/document/format/read_dimensions.hpp"
 #include "core/document/format/read_paper.hpp"
 #include "core/document/format/read_source.hpp"
 
@@ -126,6 +127,28 @@ DisplaySettings read_display(JsonReader& reader, const JsonCursor& at) {
   return display;
 }
 
+MakingSettings read_making(JsonReader& reader, const JsonCursor& at) {
+  MakingSettings making;
+  if (!reader.is_object(at)) return making;
+  detail::refuse_unknown_members(reader, at, detail::making_members);
+  const auto number = [&](std::string_view name, double& value) {
+    reader.if_member(at, name, [&](const JsonCursor& member) { value = reader.number(member); });
+  };
+  reader.if_member(at, "pull", [&](const JsonCursor& member) { making.pull = reader.vector(member); });
+  number("draft", making.draft);
+  number("radius", making.radius);
+  number("thickness", making.thickness);
+  reader.if_member(at, "reference", [&](const JsonCursor& member) {
+    making.reference.value = reader.integer(member, 0, no_index - 1);
+  });
+  if (const auto checked = check_making(making); !checked && !reader.failed()) {
+    Message message = checked.error();
+    message.text = at.path() + ": " + message.text;
+    reader.fail(std::move(message));
+  }
+  return making;
+}
+
 std::string read_name(JsonReader& reader, const JsonCursor& at) {
   std::string name = reader.string(at);
   if (const auto checked = check_name(name); !checked && !reader.failed()) {
@@ -220,6 +243,9 @@ Result<Document> read_document(std::string_view text) {
     reader.for_each(list,
                     [&](const JsonCursor& at) { document.objects.push_back(read_object(reader, at, text)); });
   });
+  reader.if_member(root, "dimensions",
+                   [&](const JsonCursor& at) { document.dimensions = detail::read_dimensions(reader, at); });
+  reader.if_member(root, "making", [&](const JsonCursor& at) { document.making = read_making(reader, at); });
   reader.if_member(root, "paper", [&](const JsonCursor& at) {
     document.paper = std::make_shared<const PaperModel>(detail::read_paper(reader, at, text));
   });

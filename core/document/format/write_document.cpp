@@ -3,6 +3,7 @@
 #include "core/document/format/document_text.hpp"
 #include "core/document/format/format.hpp"
 #include "core/document/format/format_names.hpp"
+#include "core/document/format/write_dimensions.hpp"
 #include "core/document/format/write_paper.hpp"
 #include "core/document/format/write_source.hpp"
 
@@ -310,6 +311,23 @@ void write_object(Writer& out, const Object& object) {
   out.close('}');
 }
 
+void write_making(Writer& out, const MakingSettings& making) {
+  out.key("making");
+  out.raw("{\"pull\": ");
+  out.vector(making.pull);
+  out.raw(", \"draft\": ");
+  out.number(making.draft);
+  out.raw(", \"radius\": ");
+  out.number(making.radius);
+  out.raw(", \"thickness\": ");
+  out.number(making.thickness);
+  if (making.reference != ObjectId{}) {
+    out.raw(", \"reference\": ");
+    out.number(making.reference.value);
+  }
+  out.raw("}");
+}
+
 }  // namespace
 
 std::string write_document(const Document& document) {
@@ -330,6 +348,8 @@ std::string write_document(const Document& document) {
     write_object(out, *object);
   }
   out.close(']');
+  detail::write_dimensions(out, *document.dimensions);
+  if (document.making != MakingSettings{}) write_making(out, document.making);
   if (document.paper) {
     out.key("paper");
     detail::write_paper(out, *document.paper);

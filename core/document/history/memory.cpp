@@ -38,6 +38,13 @@ std::size_t bytes_of(const PaperModel& paper) {
          list(paper.strips) + list(paper.places) + list(paper.strip_places) + bytes_of(paper.kept);
 }
 
+std::size_t bytes_of(const Dimensions& dimensions) {
+  std::size_t bytes = block_overhead + dimensions.capacity() * sizeof(Dimension);
+  for (const Dimension& dimension : dimensions)
+    bytes += block_overhead + dimension.anchors.capacity() * sizeof(Anchor);
+  return bytes;
+}
+
 std::size_t bytes_of(const std::vector<BezierPatch>& patches) {
   std::size_t bytes = block_overhead + patches.capacity() * sizeof(BezierPatch);
   for (const BezierPatch& patch : patches)
@@ -169,6 +176,7 @@ bool SharedMemory::leave(const void* address) {
 void SharedMemory::add(const Document& document) {
   bytes_ += own_bytes(document);
   enter(document.kept.get(), bytes_of(*document.kept));
+  enter(document.dimensions.get(), bytes_of(*document.dimensions));
   if (document.paper) enter(document.paper.get(), bytes_of(*document.paper));
   for (const auto& object : document.objects)
     if (enter(object.get(), own_bytes(*object)))
@@ -178,6 +186,7 @@ void SharedMemory::add(const Document& document) {
 void SharedMemory::remove(const Document& document) {
   bytes_ -= own_bytes(document);
   leave(document.kept.get());
+  leave(document.dimensions.get());
   if (document.paper) leave(document.paper.get());
   for (const auto& object : document.objects)
     if (leave(object.get()))

@@ -277,6 +277,22 @@ class Whole {
   Vector3 origin_;
 };
 
+/// Images of the frozen sides, whose half-edges run the other way round the reflected faces. Other edges are
+/// released, as patches are not mirrored.
+Attachments reflected_frozen(const Attachments& attachments, Axis axis) {
+  Attachments out;
+  for (const auto& [edge, attachment] : attachments) {
+    if (!attachment.frozen) continue;
+    Attachment image = attachment;
+    for (auto* rows : {&image.frozen->curve, &image.frozen->row}) {
+      for (Vector3& point : *rows) point = mirror_plane(axis).image(point);
+      std::reverse(rows->begin(), rows->end());
+    }
+    out.set(edge, image);
+  }
+  return out;
+}
+
 /// Whether the connectivity of the whole is unchanged; it depends only on the half's connectivity, the axis
 /// and the seam.
 bool same_connectivity(const MirroredPolyhedron& previous, const PolyhedronSource& half,
@@ -341,7 +357,7 @@ EditResult mirror_object(const PolyhedronSource& source, Axis axis) {
   EditResult out{source, {}};
   out.source.origin = mirror_plane(axis).image(source.origin);
   out.source.polyhedron = Polyhedron::build(mesh, std::move(vertex_ids), std::move(face_ids)).value();
-  out.source.attachments = Attachments{};  // patches are not mirrored
+  out.source.attachments = reflected_frozen(*source.attachments, axis);
   if (!source.shaping->pin.empty() || !source.shaping->form.empty()) {
     Shaping shaping = *source.shaping;
     for (const auto& [id, form] : source.shaping->form) shaping.form.set(id, reflected_form(form));

@@ -40,7 +40,7 @@ Result<PolyhedronSource> baked(const PolyhedronSource& source);
 Result<EditResult> apply_mirror(const PolyhedronSource& source);
 
 /// Reflects the whole object in the plane through the origin of its space; ids stay, and faces stay oriented
-/// outward.
+/// outward. Frozen sides of attachments are reflected along, other attached edges released.
 EditResult mirror_object(const PolyhedronSource& source, Axis axis);
 
 }  // namespace hariko

@@ -1,0 +1,214 @@
+#include "core/modeling/objects/arrange.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+#include "core/document/edits/edit_support.hpp"
+#include "core/modeling/objects/mirrored_source.hpp"
+#include "core/modeling/objects/transformation.hpp"
+
+namespace hariko {
+
+namespace {
+
+constexpr double full_turn = 360;
+/// Distances that are no more than rounding, relative to the coordinates.
+constexpr double rounding_share = 16 * std::numeric_limits<double>::epsilon();
+
+Message nothing_to_arrange() {
+  return make_error(e_no_objects, "No object is selected.", "Select one or more objects.");
+}
+
+Message wrong_count(int count) {
+  return make_error(e_array_count, "There cannot be " + std::to_string(count) + " places.",
+                    "Use from 2 to 10,000 places, the object's own included.");
+}
+
+/// Transforms one object without the rest of the document: copies of the document for each of thousands of
+/// objects would take time with the square of their number.
+Result<Object> transformed_alone(const Object& object, const Transformation& transformation,
+                                 const Vector3& pivot) {
+  Document alone;
+  alone.objects.push_back(std::make_shared<const Object>(object));
+  const auto done = transform_object(alone, object.id, transformation, pivot);
+  if (!done) return done.error();
+  return *done->objects.front();
+}
+
+/// Rotation that takes the object's rotation to that of its image. The reflection in the plane after one
+/// across the own axis `own` is a rotation by twice the angle between the two normals.
+Eigen::Quaterniond rotation_of_image(const Eigen::Quaterniond& rotation, Axis own, const Vector3& normal) {
+  Vector3 along = rotation * Vector3(Vector3::Unit(index_of(own)));
+  if (along.dot(normal) < 0) along = -along;
+  Eigen::Quaterniond turn;
+  turn.w() = along.dot(normal);
+  turn.vec() = along.cross(normal);
+  return (turn * rotation).normalized();
+}
+
+/// Own axis that is nearest to the normal, of equal ones the first: so the placement turns least.
+Axis nearest_own_axis(const Eigen::Quaterniond& rotation, const Vector3& normal) {
+  const Vector3 own = rotation.conjugate() * normal;
+  Axis best = Axis::x;
+  for (const Axis axis : {Axis::y, Axis::z})
+    if (std::abs(own[index_of(axis)]) > std::abs(own[index_of(best)]) + 1e-12) best = axis;
+  return best;
+}
+
+Result<Object> image_of(const Object& object, const MirrorPlane& plane) {
+  const Axis own = nearest_own_axis(object.transform.rotation, plane.normal());
+  auto source = mirrored_source(object, own);
+  if (!source) return source.error();
+  Object image = object;
+  image.source = std::move(source).value();
+  image.transform.rotation = rotation_of_image(object.transform.rotation, own, plane.normal());
+  image.transform.translation = plane.image(object.transform.translation);
+  const auto placed = detail::checked_transform(image.transform);
+  if (!placed) return placed.error();
+  image.transform = *placed;
+  return image;
+}
+
+/// Moves objects along an axis, each by its own distance.
+Result<Document> moved_along(const Document& document, const std::map<ObjectId, double>& distances,
+                             Axis axis) {
+  Document out = document;
+  std::size_t found = 0;
+  for (auto& object : out.objects) {
+    const auto distance = distances.find(object->id);
+    if (distance == distances.end()) continue;
+    ++found;
+    if (distance->second == 0) continue;
+    Transformation move;
+    move.translation = distance->second * Vector3::Unit(index_of(axis));
+    auto moved = transformed_alone(*object, move, Vector3::Zero());
+    if (!moved) return moved.error();
+    object = std::make_shared<const Object>(std::move(moved).value());
+  }
+  if (found == distances.size()) return out;
+  for (const auto& [id, distance] : distances)
+    if (!document.find(id)) return detail::unknown_object(id);
+  return out;
+}
+
+Result<Done> check_sized(const Document& document, std::span<const SizedObject> objects, std::size_t least,
+                         const char* too_few) {
+  if (objects.size() < least)
+    return make_error(e_few_objects, too_few, "Choose more objects. Press 4 and click them with Shift.");
+  for (const SizedObject& sized : objects) {
+    if (!sized.box.isEmpty() && sized.box.min().allFinite() && sized.box.max().allFinite()) continue;
+    const Object* object = document.find(sized.id);
+    if (!object) return detail::unknown_object(sized.id);
+    return make_error(e_object_extent, "The object \"" + object->name + "\" has no extent.",
+                      "Leave it out of the selection.", element_of(sized.id));
+  }
+  return Done{};
+}
+
+/// Distance by which a side of a box at `from` is to move to `to`; zero where that is but rounding.
+double distance_to_move(const Eigen::AlignedBox3d& box, Axis axis, double from, double to) {
+  const Eigen::Index along = index_of(axis);
+  const double size = std::max({std::abs(box.min()[along]), std::abs(box.max()[along]), std::abs(to)});
+  return std::abs(to - from) <= rounding_share * size ? 0 : to - from;
+}
+
+double place_of_side(const Eigen::AlignedBox3d& box, Axis axis, BoxSide side) {
+  const double low = box.min()[index_of(axis)], high = box.max()[index_of(axis)];
+  if (side == BoxSide::minimum) return low;
+  return side == BoxSide::maximum ? high : low + (high - low) / 2;
+}
+
+}  // namespace
+
+Result<AddedObjects> array_in_row(const Document& document, std::span<const ObjectId> objects, int count,
+                                  const Vector3& step) {
+  if (objects.empty()) return nothing_to_arrange();
+  if (count < least_places || count > most_places) return wrong_count(count);
+  if (!step.allFinite() || step.isZero(0))
+    return make_error(e_array_step, "The copies would lie on each other.",
+                      "Use a step that is not zero along all axes.");
+  return duplicate_objects(document, objects, static_cast<std::size_t>(count - 1),
+                           [&](const Object& copy, std::size_t number) {
+                             Transformation move;
+                             move.translation = static_cast<double>(number) * step;
+                             return transformed_alone(copy, move, Vector3::Zero());
+                           });
+}
+
+Result<AddedObjects> array_around_axis(const Document& document, std::span<const ObjectId> objects, int count,
+                                       const RingAxis& axis, double degrees) {
+  if (objects.empty()) return nothing_to_arrange();
+  if (count < least_places || count > most_places) return wrong_count(count);
+  const double length = axis.direction.stableNorm();
+  if (!(length > 0) || !std::isfinite(length) || !axis.point.allFinite())
+    return make_error(e_array_axis, "The axis has no direction.", "Use a direction that is not zero.");
+  if (degrees == 0 || !(std::abs(degrees) <= full_turn))
+    return make_error(e_array_angle, "The copies cannot be turned by this angle.",
+                      "Use an angle from -360 to 360 degrees that is not zero.");
+  const bool closed = std::abs(degrees) == full_turn;
+  const double parts = closed ? count : count - 1;
+  return duplicate_objects(document, objects, static_cast<std::size_t>(count - 1),
+                           [&](const Object& copy, std::size_t number) {
+                             Transformation turn;
+                             turn.axis = axis.direction / length;
+                             turn.degrees = degrees * static_cast<double>(number) / parts;
+                             return transformed_alone(copy, turn, axis.point);
+                           });
+}
+
+Result<AddedObjects> mirrored_copies(const Document& document, std::span<const ObjectId> objects,
+                                     const MirrorPlane& plane) {
+  if (objects.empty()) return nothing_to_arrange();
+  for (const ObjectId id : objects) {
+    const Object* object = document.find(id);
+    if (object && !can_be_mirrored(*object))
+      return make_error(e_no_mirror_image, "The object \"" + object->name + "\" has no mirror image.",
+                        "Leave it out of the selection.", element_of(id));
+  }
+  return duplicate_objects(document, objects, 1,
+                           [&](const Object& copy, std::size_t) { return image_of(copy, plane); });
+}
+
+Result<Document> align_objects(const Document& document, std::span<const SizedObject> objects, ObjectId fixed,
+                               Axis axis, BoxSide side) {
+  if (const auto checked = check_sized(document, objects, 2, "Aligning takes two objects."); !checked)
+    return checked.error();
+  const auto rule = std::find_if(objects.begin(), objects.end(),
+                                 [&](const SizedObject& object) { return object.id == fixed; });
+  HARIKO_ASSERT(rule != objects.end(), "the fixed object is one of those that are aligned");
+  const double place = place_of_side(rule->box, axis, side);
+  std::map<ObjectId, double> distances;
+  for (const SizedObject& object : objects)
+    if (!(object.id == fixed))
+      distances[object.id] = distance_to_move(object.box, axis, place_of_side(object.box, axis, side), place);
+  return moved_along(document, distances, axis);
+}
+
+Result<Document> distribute_objects(const Document& document, std::span<const SizedObject> objects,
+                                    Axis axis) {
+  if (const auto checked = check_sized(document, objects, 3, "Distributing takes three objects."); !checked)
+    return checked.error();
+  std::vector<const SizedObject*> order;
+  for (const SizedObject& object : objects) order.push_back(&object);
+  std::stable_sort(order.begin(), order.end(), [&](const SizedObject* a, const SizedObject* b) {
+    return place_of_side(a->box, axis, BoxSide::centre) < place_of_side(b->box, axis, BoxSide::centre);
+  });
+  const Eigen::Index along = index_of(axis);
+  const std::span inner(order.begin() + 1, order.end() - 1);
+  const double begin = order.front()->box.max()[along], end = order.back()->box.min()[along];
+  double filled = 0;
+  for (const SizedObject* object : inner) filled += object->box.sizes()[along];
+  const double gap = (end - begin - filled) / static_cast<double>(order.size() - 1);
+  std::map<ObjectId, double> distances;
+  double place = begin;
+  for (const SizedObject* object : inner) {
+    place += gap;
+    distances[object->id] = distance_to_move(object->box, axis, object->box.min()[along], place);
+    place += object->box.sizes()[along];
+  }
+  return moved_along(document, distances, axis);
+}
+
+}  // namespace hariko

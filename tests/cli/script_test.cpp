@@ -1,0 +1,284 @@
+// `hariko run`: scripts as a user writes them.
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "core/document/file.hpp"
+#include "core/document/object_box.hpp"
+#include "tests/cli/program.hpp"
+
+namespace hariko::test {
+namespace {
+
+class Scripts : public ProgramTest {
+ protected:
+  /// A file with these steps.
+  std::string script(const Json& steps) const {
+    const Json all = {{"format", "hariko-script"}, {"version", 1}, {"steps", steps}};
+    write_text(path("script.json"), all.dump());
+    return path("script.json");
+  }
+  static Json step(const std::string& command, Json arguments = Json::object()) {
+    return {{"command", command}, {"arguments", std::move(arguments)}};
+  }
+  /// A list: braces round a single value would be the value itself.
+  template <class... Steps>
+  static Json list(Steps... steps) {
+    Json out = Json::array();
+    (out.push_back(std::move(steps)), ...);
+    return out;
+  }
+  Outcome run_steps(const Json& steps, const std::string& options = {}) const {
+    return run("run " + script(steps) + " " + options);
+  }
+  Document saved(const std::string& name) const {
+    auto document = load_document(path(name));
+    EXPECT_TRUE(document.ok()) << name;
+    return document.ok() ? *document : Document();
+  }
+  /// Expects a script not to run, to write nothing, and its error to have every sentence.
+  void expect_refused(const Json& steps, const std::vector<std::string>& sentences) const {
+    SCOPED_TRACE(steps.dump());
+    const Outcome result = run_steps(steps, "--out " + path("refused.hariko"));
+    EXPECT_EQ(result.exit_code, 1);
+    for (const std::string& sentence : sentences)
+      EXPECT_NE(result.error.find(sentence), std::string::npos) << sentence << "\n" << result.error;
+    EXPECT_FALSE(std::filesystem::exists(path("refused.hariko")));
+  }
+};
+
+TEST_F(Scripts, TwentyBoxesInARow) {
+  Json steps = Json::array();
+  for (int i = 0; i < 20; ++i)
+    steps.push_back(
+        step("add.box", {{"width", 10}, {"depth", "2 cm"}, {"height", 30}, {"at", {15 * i, 0, 0}}}));
+  steps.push_back(step("file.save", {{"path", path("row.hariko")}}));
+  const Outcome result = run_steps(steps);
+  ASSERT_EQ(result.exit_code, 0) << result.error;
+  EXPECT_TRUE(result.error.empty()) << result.error;
+  const Document document = saved("row.hariko");
+  ASSERT_EQ(document.objects.size(), 20U);
+  std::set<std::string> names;
+  for (std::size_t i = 0; i < 20; ++i) {
+    const Object& box = *document.objects[i];
+    names.insert(box.name);
+    EXPECT_EQ(box.transform.translation, Vector3(15.0 * double(i), 0, 0));
+    ASSERT_TRUE(box.polyhedron());
+    EXPECT_LT((world_box(box).sizes() - Vector3(10, 20, 30)).norm(), 1e-9);
+  }
+  EXPECT_EQ(names.size(), 20U);
+}
+
+TEST_F(Scripts, DocumentsComeInAndGoOut) {
+  const Json first = list(step("add.cube", {{"radius", 10}, {"name", "A"}}));
+  ASSERT_EQ(run_steps(first, "--out " + path("a.hariko")).exit_code, 0);
+  const Json second =
+      list(step("select.objects", {{"names", {"A"}}}), step("object.duplicate"),
+           step("transform.move", {{"by", {"1 in", 0, -5}}}), step("object.rename", {{"name", "B"}}));
+  const Outcome result = run_steps(second, "--in " + path("a.hariko") + " --out " + path("b.hariko"));
+  ASSERT_EQ(result.exit_code, 0) << result.error;
+  const Document document = saved("b.hariko");
+  ASSERT_EQ(document.objects.size(), 2U);
+  EXPECT_EQ(document.objects[0]->name, "A");
+  EXPECT_EQ(document.objects[1]->name, "B");
+  EXPECT_LT((document.objects[1]->transform.translation - Vector3(25.4, 0, -5)).norm(), 1e-12);
+  EXPECT_EQ(saved("a.hariko").objects.size(), 1U) << "the input is not written";
+}
+
+TEST_F(Scripts, StandardStreamsAreFiles) {
+  script(list(step("add.torus"), step("object.rename", {{"name", "Ring"}})));
+  const Outcome piped = run("run - --out -", path("script.json"));
+  ASSERT_EQ(piped.exit_code, 0) << piped.error;
+  write_text(path("ring.hariko"), piped.out);
+  EXPECT_EQ(saved("ring.hariko").objects.at(0)->name, "Ring");
+  const Outcome both = run("run - --in -", path("script.json"));
+  EXPECT_EQ(both.exit_code, 2);
+  EXPECT_NE(both.error.find("only one file can come from the standard input"), std::string::npos)
+      << both.error;
+}
+
+TEST_F(Scripts, FacesAreExtrudedAndTensionsSet) {
+  const Json steps =
+      list(step("add.box", {{"width", 10}, {"depth", 10}, {"height", 10}, {"name", "Block"}}),
+           step("select.faces", {{"object", "Block"}, {"from", {-6, -6, 4.9}}, {"to", {6, 6, 5.1}}}),
+           step("mesh.extrude", {{"distance", 4}}), step("mesh.inset", {{"width", "1 mm"}}),
+           step("select.edges", {{"from", {-6, -6, -6}}, {"to", {6, 6, -4}}}),
+           step("shape.tension", {{"beta", 5}}), step("shape.crease", {{"on", true}}),
+           step("select.vertices", {{"ids", {0}}}), step("shape.tension", {{"alpha", 2}}));
+  const Outcome result = run_steps(steps, "--out " + path("block.hariko"));
+  ASSERT_EQ(result.exit_code, 0) << result.error;
+  const Document document = saved("block.hariko");
+  const PolyhedronSource& source = *document.objects.at(0)->polyhedron();
+  EXPECT_EQ(source.polyhedron.vertex_count(), 16U);
+  EXPECT_EQ(source.polyhedron.face_count(), 14U);
+  EXPECT_LT(std::abs(world_box(*document.objects.at(0)).max().z() - 9), 1e-9);
+  for (const EdgeId edge :
+       {EdgeId::of({0}, {1}), EdgeId::of({1}, {2}), EdgeId::of({2}, {3}), EdgeId::of({0}, {3})})
+    EXPECT_EQ(source.shaping->beta.get_or(edge, 1), 5);
+  EXPECT_EQ(source.shaping->crease.size(), 4U);
+  EXPECT_EQ(source.shaping->alpha.get_or(VertexId{0}, 0), 2);
+}
+
+TEST_F(Scripts, LoopsAreCutAndFacesSubdivided) {
+  const Json steps =
+      list(step("add.box", {{"name", "Block"}}),
+           step("select.edges", {{"object", "Block"}, {"from", {-60, -60, -60}}, {"to", {60, -40, -40}}}),
+           step("mesh.loop_cut", {{"cuts", 3}}));
+  ASSERT_EQ(run_steps(steps, "--out " + path("cut.hariko")).exit_code, 0);
+  EXPECT_EQ(saved("cut.hariko").objects.at(0)->polyhedron()->polyhedron.face_count(), 6U + 4U * 3U);
+  const Json more = list(step("select.faces"), step("select.all"), step("mesh.subdivide"));
+  ASSERT_EQ(run_steps(more, "--in " + path("cut.hariko") + " --out " + path("fine.hariko")).exit_code, 0);
+  EXPECT_EQ(saved("fine.hariko").objects.at(0)->polyhedron()->polyhedron.face_count(), 4U * 18U);
+}
+
+TEST_F(Scripts, TurnsAndScalesGoAboutAPoint) {
+  const Json steps = list(step("add.cube", {{"at", {10, 0, 0}}, {"name", "A"}}),
+                          step("transform.rotate", {{"angle", 90}, {"about", {0, 0, 0}}}),
+                          step("transform.scale", {{"factor", 3}, {"about", {0, 4, 0}}}));
+  const Outcome result = run_steps(steps, "--out " + path("turned.hariko"));
+  ASSERT_EQ(result.exit_code, 0) << result.error;
+  const Document document = saved("turned.hariko");
+  const Similarity& placed = document.objects.at(0)->transform;
+  EXPECT_LT((placed.translation - Vector3(0, 22, 0)).norm(), 1e-9) << placed.translation.transpose();
+  EXPECT_NEAR(placed.scale, 3, 1e-12);
+}
+
+TEST_F(Scripts, PropertiesAreSetAndObjectsHidden) {
+  const Json steps = list(step("add.box", {{"name", "A"}}), step("property.location.x", {{"z", 7}}),
+                          step("property.rotation.x", {{"y", 30}}), step("property.mode", {{"value", "g2"}}),
+                          step("property.material", {{"value", "metal"}}),
+                          step("property.size.x", {{"axis", "y"}, {"value", 50}}),
+                          step("solid.sphere", {{"radius", 10}, {"new_object", true}}),
+                          step("property.clearance", {{"value", 1.5}}),
+                          step("select.objects", {{"names", "A"}}), step("object.hide"));
+  const Outcome result = run_steps(steps, "--out " + path("set.hariko"));
+  ASSERT_EQ(result.exit_code, 0) << result.error;
+  const Document document = saved("set.hariko");
+  ASSERT_EQ(document.objects.size(), 2U);
+  const Object& box = *document.objects[0];
+  EXPECT_FALSE(box.visible);
+  EXPECT_NEAR(box.transform.translation.z(), 7, 1e-6);
+  EXPECT_EQ(box.polyhedron()->mode, Mode::g2);
+  EXPECT_EQ(box.display.material, Material::metal);
+  EXPECT_TRUE(document.objects[1]->visible);
+  EXPECT_EQ(document.objects[1]->solids()->input->settings.clearance, 1.5);
+}
+
+TEST_F(Scripts, SurfacesAreExportedAndConverted) {
+  const Json steps =
+      list(step("solid.box", {{"width", 10}, {"depth", 10}, {"height", 10}}),
+           step("file.export", {{"path", path("solid.obj")}, {"density", 2}}), step("solid.to_polyhedron"));
+  const Outcome result = run_steps(steps, "--out " + path("made.hariko"));
+  ASSERT_EQ(result.exit_code, 0) << result.error;
+  EXPECT_NE(result.out.find("Exported solid.obj"), std::string::npos) << result.out;
+  EXPECT_TRUE(read_text(path("solid.obj")).find("\nf ") != std::string::npos);
+  const Document document = saved("made.hariko");
+  ASSERT_EQ(document.objects.size(), 2U);
+  EXPECT_TRUE(document.objects[1]->polyhedron());
+}
+
+TEST_F(Scripts, AWrongCommandIsToldWithTheNearest) {
+  expect_refused(list(step("add.box"), step("add.boks")),
+                 {"step 2 \"add.boks\"", "Did you mean \"add.box\"?"});
+  expect_refused(list(step("mesh.knife")), {"step 1 \"mesh.knife\"", "needs the window"});
+}
+
+TEST_F(Scripts, WrongArgumentsAreToldByStepAndName) {
+  expect_refused(list(step("add.box"), step("add.box", {{"width", true}})),
+                 {"step 2 \"add.box\"", "\"width\" must be a length"});
+  expect_refused(list(step("add.box", {{"width", "3 apples"}})), {"step 1", "\"width\" is no number"});
+  expect_refused(list(step("add.box", {{"width", 0}})), {"step 1", "\"width\" is 0, but must be"});
+  expect_refused(list(step("add.prism", {{"sides", 2}})), {"\"sides\" is 2, but must be 3 to"});
+  expect_refused(list(step("add.prism", {{"sides", 5.5}})), {"\"sides\" must be a whole number"});
+  expect_refused(list(step("add.box", {{"widht", 3}})), {"no argument \"widht\"", "Did you mean \"width\"?"});
+  expect_refused(list(step("add.box", {{"at", {1, 2}}})), {"\"at\" must be a list of three numbers"});
+  expect_refused(list(step("add.box"), step("property.mode", {{"value", "fairest"}})),
+                 {"step 2", "\"value\" is \"fairest\", but must be one of"});
+  expect_refused(list(step("add.box"), step("transform.move")), {"step 2", "\"by\" is missing"});
+  expect_refused(list(step("edit.undo", {{"steps", 3}})), {"takes no arguments"});
+}
+
+TEST_F(Scripts, WhatACommandRefusesStopsTheScript) {
+  expect_refused(list(step("edit.undo")), {"step 1 \"edit.undo\"", "There is nothing to undo."});
+  expect_refused(list(step("add.box"), step("select.faces", {{"ids", {99}}})),
+                 {"step 2", "has no face \"99\""});
+  expect_refused(list(step("add.box", {{"name", "Box"}}), step("select.objects", {{"names", "Bux"}})),
+                 {"no object called \"Bux\"", "Did you mean \"Box\"?"});
+  expect_refused(
+      list(step("add.box"), step("select.faces"), step("select.all"), step("mesh.inset", {{"width", 1000}})),
+      {"step 4 \"mesh.inset\"", "E_"});
+}
+
+TEST_F(Scripts, FilesOfEarlierStepsStayAndAreNamed) {
+  const Json steps =
+      list(step("add.box"), step("file.save_copy", {{"path", path("copy.hariko")}}), step("edit.redo"));
+  const Outcome result = run_steps(steps);
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_NE(result.error.find("W_SCRIPT_WRITTEN"), std::string::npos) << result.error;
+  EXPECT_NE(result.error.find("copy.hariko"), std::string::npos) << result.error;
+  EXPECT_EQ(saved("copy.hariko").objects.size(), 1U);
+}
+
+TEST_F(Scripts, UnsavedChangesAreTold) {
+  const Outcome result = run_steps(list(step("add.box")));
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_NE(result.error.find("W_SCRIPT_UNSAVED"), std::string::npos) << result.error;
+}
+
+TEST_F(Scripts, WhatIsNoScriptIsTold) {
+  const auto refused = [&](const std::string& text, const std::string& sentence) {
+    write_text(path("bad.json"), text);
+    const Outcome result = run("run " + path("bad.json"));
+    EXPECT_EQ(result.exit_code, 1) << text;
+    EXPECT_NE(result.error.find(sentence), std::string::npos) << text << "\n" << result.error;
+  };
+  refused("not JSON", "E_PARSE");
+  refused("[]", "no JSON object");
+  refused("{}", "\"format\" is not \"hariko-script\"");
+  refused(R"({"format": "hariko-script", "version": 2, "steps": []})", "Version 2 of scripts is unknown");
+  refused(R"({"format": "hariko-script", "version": 1})", "no list \"steps\"");
+  refused(R"({"format": "hariko-script", "version": 1, "steps": [], "stps": []})", "unknown member \"stps\"");
+  refused(R"({"format": "hariko-script", "version": 1, "steps": [{"comand": "add.box"}]})",
+          "Step 1 has the unknown member \"comand\". Did you mean \"command\"?");
+  refused(R"({"format": "hariko-script", "version": 1, "steps": [{"command": "add.box", "arguments": 3}]})",
+          "The arguments of step 1 \"add.box\" are no object");
+  refused(
+      R"({"format": "hariko-script", "version": 1, "steps": [{"command": "add.box", "arguments": {"at": {}}}]})",
+      "The argument \"at\" of step 1");
+  EXPECT_EQ(run("run " + path("missing.json")).exit_code, 1);
+}
+
+TEST_F(Scripts, WrongUsageGivesTwo) {
+  const std::string file = script(Json::array());
+  for (const std::string& arguments :
+       {std::string("run"), "run --list " + file, "run --json " + file, "run " + file + " --out a.obj",
+        "run " + file + " " + file, "run " + file + " --density 3"}) {
+    const Outcome result = run(arguments);
+    EXPECT_EQ(result.exit_code, 2) << arguments << "\n" << result.error;
+  }
+}
+
+TEST_F(Scripts, TheListHasEveryCommandWithItsArguments) {
+  const Outcome text = run("run --list");
+  ASSERT_EQ(text.exit_code, 0) << text.error;
+  const Outcome result = run("run --list --json");
+  ASSERT_EQ(result.exit_code, 0) << result.error;
+  const Json list = result.json();
+  ASSERT_TRUE(list.is_object() && list["commands"].is_array());
+  std::set<std::string> ids;
+  for (const Json& command : list["commands"]) {
+    const std::string id = command["id"];
+    EXPECT_TRUE(ids.insert(id).second) << id;
+    EXPECT_NE(text.out.find(id), std::string::npos) << id;
+    std::set<std::string> names;
+    for (const Json& argument : command["arguments"])
+      EXPECT_TRUE(names.insert(argument["name"]).second) << id << " " << argument["name"];
+  }
+  for (const char* id : {"add.box", "select.objects", "transform.move", "mesh.loop_cut", "file.export",
+                         "property.scale", "help.about"})
+    EXPECT_TRUE(ids.contains(id)) << id;
+}
+
+}  // namespace
+}  // namespace hariko::test

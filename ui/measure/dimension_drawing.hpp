@@ -1,0 +1,41 @@
+#pragma once
+
+// Drawing of dimensions over the picture: thin lines, their ends, and a label with the value.
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/modeling/measuring/measured_dimension.hpp"
+#include "ui/view/tool.hpp"
+
+namespace hariko {
+
+/// A dimension on the screen; positions are framebuffer pixels.
+struct DimensionShape {
+  using Line = std::pair<Vector2, Vector2>;
+  std::vector<Line> lines;          ///< of the value itself
+  std::vector<Line> helpers;        ///< from the measured points to these, and to a label that was moved
+  std::vector<Line> arrows;         ///< tip of an arrow head, and a point it points away from
+  std::vector<Vector2> dots;        ///< measured points
+  Vector2 label = Vector2::Zero();  ///< middle of the label
+  /// Place of the label unless it was moved, in the document's space: `Dimension::label` counts from here.
+  Vector3 natural = Vector3::Zero();
+  bool seen = false;  ///< false: partly behind the eye, and not drawn
+};
+
+/// `pixel_scale`: framebuffer pixels per design pixel.
+DimensionShape shape_of(DimensionKind kind, const MeasuredDimension& value, const Vector3& label,
+                        const Projector& projector, double pixel_scale);
+
+/// Corners of the plate of a label round its middle, framebuffer pixels.
+std::pair<Vector2, Vector2> label_box(const DimensionShape& shape, const std::string& text,
+                                      double pixel_scale);
+
+enum class DimensionLook { plain, hovered, chosen };
+
+/// Draws a dimension; an empty text is no label.
+void draw_dimension(const ToolOverlay& overlay, const DimensionShape& shape, const std::string& text,
+                    DimensionLook look);
+
+}  // namespace hariko

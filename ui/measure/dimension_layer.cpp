@@ -1,0 +1,148 @@
+#include "ui/measure/dimension_layer.hpp"
+
+#include <algorithm>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "core/document/edits/edit_dimensions.hpp"
+#include "ui/measure/dimension_drawing.hpp"
+#include "ui/measure/dimension_text.hpp"
+#include "ui/view/overlay_drawing.hpp"
+
+namespace hariko {
+
+namespace {
+
+/// Held from the press on a dimension: chooses it, or moves its label.
+class LabelTool final : public Tool {
+ public:
+  LabelTool(DimensionId id, const DimensionShape& shape)
+      : id_(id), natural_(shape.natural), label_(shape.label) {}
+
+  void begin(ToolContext&, const PointerEvent& press) override { press_ = press.pixel; }
+
+  ToolState update(ToolContext& context, const PointerEvent& event) override {
+    Editor& editor = context.editor;
+    if (event.kind == PointerEvent::Kind::release) {
+      if (moving_) editor.commit_preview(translatable("Move label"));
+      editor.dimensions.choose(editor, id_);
+      return ToolState::commit;
+    }
+    moving_ = moving_ || (event.pixel - press_).norm() > drag_threshold * editor.pixel_scale;
+    if (!moving_) return ToolState::stay;
+    const Vector3 to = context.projector().on_facing_plane(label_ + event.pixel - press_, natural_);
+    editor.preview(move_dimension_label(editor.history.current(), id_, to - natural_));
+    return ToolState::stay;
+  }
+
+  void cancel(ToolContext& context) override { context.editor.cancel_preview(); }
+
+  std::string hint(const Language& tr) const override {
+    return tr("Release to choose the dimension, drag to move its label");
+  }
+
+ private:
+  DimensionId id_;
+  Vector3 natural_;  ///< from where the label's place counts
+  Vector2 label_, press_ = Vector2::Zero();
+  bool moving_ = false;
+};
+
+/// A dimension in the active view.
+struct DrawnDimension {
+  DimensionId id;
+  std::string text;
+  DimensionShape shape;
+  Vector2 low = Vector2::Zero(), high = Vector2::Zero();  ///< of the label
+
+  bool label_holds(const Vector2& pixel) const {
+    return (pixel.array() >= low.array()).all() && (pixel.array() <= high.array()).all();
+  }
+};
+
+std::vector<DrawnDimension> drawn_dimensions(const Editor& editor, const Projector& projector) {
+  std::vector<DrawnDimension> out;
+  if (!shows_dimensions(editor)) return out;
+  const Unit unit = editor.document().unit;
+  for (const ShownDimension& shown : editor.dimensions.all()) {
+    if (!shown.measured || !shown.visible) continue;
+    const Dimension& dimension = shown.dimension;
+    DrawnDimension next{
+        dimension.id, dimension_text(dimension.kind, *shown.measured, unit, editor.language),
+        shape_of(dimension.kind, *shown.measured, dimension.label, projector, editor.pixel_scale)};
+    if (!next.shape.seen) continue;
+    std::tie(next.low, next.high) = label_box(next.shape, next.text, editor.pixel_scale);
+    out.push_back(std::move(next));
+  }
+  return out;
+}
+
+class DimensionLayer final : public ViewLayer {
+ public:
+  void update(const ToolContext& context, bool /*tool_runs*/) override {
+    context.editor.dimensions.update(context.editor);
+    drawn_ = drawn_dimensions(context.editor, context.projector());
+  }
+
+  bool hover(const ToolContext&, const Vector2& pixel) override {
+    const DrawnDimension* hit = under(pixel);
+    if (hit) hot_ = hit->id;
+    return hit != nullptr;
+  }
+  void leave(const ToolContext&) override { hot_.reset(); }
+
+  std::optional<std::unique_ptr<Tool>> press(const ToolContext& context, const PointerEvent& press) override {
+    if (press.button != PointerButton::left || press.alt) return {};
+    const DrawnDimension* hit = press.plain_left() ? under(press.pixel) : nullptr;
+    if (hit) return std::make_unique<LabelTool>(hit->id, hit->shape);
+    context.editor.dimensions.choose_none();
+    return {};
+  }
+
+  void draw(const ToolContext& context, const LayerPane& pane) override {
+    const Editor& editor = context.editor;
+    const auto chosen = editor.dimensions.chosen(editor);
+    const auto others =
+        pane.active ? std::vector<DrawnDimension>() : drawn_dimensions(editor, pane.projector);
+    for (const DrawnDimension& drawn : pane.active ? drawn_ : others) {
+      const DimensionLook look = chosen == drawn.id ? DimensionLook::chosen
+                                 : hot_ == drawn.id ? DimensionLook::hovered
+                                                    : DimensionLook::plain;
+      draw_dimension(pane.overlay, drawn.shape, drawn.text, look);
+      if (pane.active)
+        pane.marks.rect("dimension." + std::to_string(drawn.id.value), on_screen(pane.overlay, drawn.low),
+                        on_screen(pane.overlay, drawn.high));
+    }
+  }
+
+  const char* hint() const override {
+    return hot_ ? translatable("Click chooses the dimension, Del then deletes it   drag moves its label")
+                : nullptr;
+  }
+
+ private:
+  /// The dimension whose label is there. Lines are not taken: they lie on the vertices and edges that they
+  /// measure.
+  const DrawnDimension* under(const Vector2& pixel) const {
+    const auto found = std::find_if(drawn_.rbegin(), drawn_.rend(),
+                                    [&](const DrawnDimension& drawn) { return drawn.label_holds(pixel); });
+    return found == drawn_.rend() ? nullptr : &*found;
+  }
+
+  std::vector<DrawnDimension> drawn_;
+  std::optional<DimensionId> hot_;
+};
+
+}  // namespace
+
+bool shows_dimensions(const Editor& editor) {
+  return editor.has_document && editor.view.dimensions && !editor.view.surfaces_only &&
+         !editor.paper.covers_model() && !editor.meshing.comparing();
+}
+
+std::unique_ptr<ViewLayer> make_dimension_layer() {
+  return std::make_unique<DimensionLayer>();
+}
+
+}  // namespace hariko

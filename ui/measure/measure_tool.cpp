@@ -1,0 +1,231 @@
+#include "ui/measure/measure_tool.hpp"
+
+#include <GLFW/glfw3.h>
+
+#include <vector>
+
+#include "core/document/edits/edit_dimensions.hpp"
+#include "ui/base/quantity.hpp"
+#include "ui/editor/dimension_view.hpp"
+#include "ui/measure/dimension_drawing.hpp"
+#include "ui/measure/dimension_text.hpp"
+#include "ui/measure/measure_snap.hpp"
+#include "ui/view/overlay_drawing.hpp"
+
+namespace hariko {
+
+namespace {
+
+const char* step_of(DimensionKind kind) {
+  switch (kind) {
+    case DimensionKind::distance:
+      return translatable("Measure distance");
+    case DimensionKind::angle:
+      return translatable("Measure angle");
+    case DimensionKind::radius:
+      break;
+  }
+  return translatable("Measure radius");
+}
+
+/// "x 10   y 0   z -2.5", of a distance.
+std::string steps_text(const Vector3& way, Unit unit) {
+  std::string text;
+  for (int axis = 0; axis < 3; ++axis) {
+    Quantity number = measured_length(unit, way[axis]);
+    number.unit.clear();
+    text += (axis == 0 ? "" : "   ") + std::string(1, "xyz"[axis]) + " " + format_quantity(number, way[axis]);
+  }
+  return text;
+}
+
+class MeasureTool final : public Tool {
+ public:
+  explicit MeasureTool(DimensionKind kind) : kind_(kind) {}
+
+  bool modal() const override { return true; }
+
+  void begin(ToolContext& context, const PointerEvent& press) override {
+    pointer_ = press.pixel;
+    look(context, press.control);
+  }
+
+  ToolState update(ToolContext& context, const PointerEvent& event) override {
+    pointer_ = event.pixel;
+    if (event.kind == PointerEvent::Kind::release) return ToolState::stay;
+    look(context, event.control);
+    if (event.kind == PointerEvent::Kind::press) put(context, event.control);
+    return ToolState::stay;
+  }
+
+  std::optional<ToolState> key(ToolContext& context, const KeyPress& press) override {
+    const KeyChord& chord = press.chord;
+    if (chord.key == GLFW_KEY_ENTER || chord.key == GLFW_KEY_KP_ENTER || chord.key == GLFW_KEY_SPACE)
+      return ToolState::commit;
+    if (chord.key == GLFW_KEY_BACKSPACE) {
+      if (!anchors_.empty()) anchors_.pop_back();
+      look(context, false);
+      return ToolState::stay;
+    }
+    // Letters would run commands in the middle of the gesture.
+    if (chord.control || chord.alt || press.text == 0) return std::nullopt;
+    return ToolState::stay;
+  }
+
+  void cancel(ToolContext&) override {}
+
+  void draw(const ToolContext& context, const ToolOverlay& overlay) const override {
+    const Projector projector = context.projector();
+    if (const auto value = present(context)) {
+      const DimensionShape shape =
+          shape_of(kind_, *value, Vector3::Zero(), projector, context.editor.pixel_scale);
+      draw_dimension(overlay, shape, "", DimensionLook::hovered);
+    } else {
+      draw_begun(context, overlay);
+    }
+    if (place_) draw_place(projector, overlay);
+    draw_value_label(overlay, pointer_, error_.empty() ? value_ : error_, !error_.empty());
+  }
+
+  std::string hint(const Language& tr) const override {
+    const std::string keys =
+        kind_ == DimensionKind::radius
+            ? tr("Click a point of a surface   Enter or Esc ends")
+            : std::string(tr(asked())) + "   " +
+                  tr("Ctrl: middles of edges   Backspace: last point   Enter or Esc ends");
+    return (error_.empty() ? value_ : error_) + "   |   " + (steps_.empty() ? "" : steps_ + "   |   ") + keys;
+  }
+
+ private:
+  const char* asked() const {
+    if (anchors_.empty()) return translatable("Click the first point");
+    if (kind_ == DimensionKind::angle && anchors_.size() == 1)
+      return translatable("Click the corner of the angle");
+    return kind_ == DimensionKind::angle ? translatable("Click a point on the other arm")
+                                         : translatable("Click the second point");
+  }
+
+  std::optional<Vector3> last_point(const ToolContext& context) const {
+    if (anchors_.empty()) return std::nullopt;
+    return anchor_place(context.editor.document(), anchors_.back(), ready_surfaces(context.editor));
+  }
+
+  /// The dimension that a click would make.
+  Dimension in_hand() const {
+    Dimension dimension{{}, kind_, anchors_, Vector3::Zero()};
+    if (place_) dimension.anchors.push_back(place_->anchor);
+    return dimension;
+  }
+
+  /// Its value; nothing while points are missing.
+  std::optional<MeasuredDimension> present(const ToolContext& context) const {
+    const Dimension dimension = in_hand();
+    if (dimension.anchors.size() != anchor_count(kind_)) return std::nullopt;
+    return measured(context.editor.document(), dimension, ready_surfaces(context.editor));
+  }
+
+  /// Finds what is under the pointer, and the value that it gives.
+  void look(const ToolContext& context, bool middles) {
+    const Language& tr = context.editor.language;
+    const Unit unit = context.editor.document().unit;
+    error_.clear();
+    steps_.clear();
+    place_ = kind_ == DimensionKind::radius
+                 ? surface_to_measure(context, pointer_)
+                 : std::optional(place_to_measure(context, pointer_, middles, last_point(context)));
+    value_ = tr(dimension_name(kind_));
+    const auto value = present(context);
+    if (!value) return;
+    value_ += "  " + dimension_text(kind_, *value, unit, tr);
+    if (kind_ == DimensionKind::distance) steps_ = steps_text(value->points[1] - value->points[0], unit);
+  }
+
+  void put(ToolContext& context, bool middles) {
+    const Language& tr = context.editor.language;
+    if (!place_) {
+      error_ = tr("Click a point of a surface.");
+      return;
+    }
+    if (const auto last = last_point(context); last && *last == place_->point) {
+      error_ = tr("This is the last point. Click another one.");
+      return;
+    }
+    if (anchors_.size() + 1 == anchor_count(kind_)) return keep(context, middles);
+    anchors_.push_back(place_->anchor);
+    look(context, middles);
+  }
+
+  /// Makes the dimension that is complete, and begins the next one.
+  void keep(ToolContext& context, bool middles) {
+    Editor& editor = context.editor;
+    if (!present(context)) {
+      error_ = editor.language("The surface has no curvature here.");
+      return;
+    }
+    auto added = add_dimension(editor.history.current(), kind_, in_hand().anchors);
+    if (!added) {
+      error_ = editor.language.text_of(added.error());
+      return;
+    }
+    editor.commit(Result<Document>(std::move(added).value().document), step_of(kind_));
+    anchors_.clear();
+    look(context, middles);
+  }
+
+  /// Points and lines of what is not complete yet.
+  void draw_begun(const ToolContext& context, const ToolOverlay& overlay) const {
+    const Projector projector = context.projector();
+    std::vector<Vector2> pixels;
+    for (const Anchor& anchor : in_hand().anchors) {
+      const auto place = anchor_place(context.editor.document(), anchor, ready_surfaces(context.editor));
+      const auto at = place ? projector.project(*place) : std::nullopt;
+      if (at) pixels.emplace_back(at->head<2>());
+    }
+    for (std::size_t i = 0; i + 1 < pixels.size(); ++i)
+      overlay.list.AddLine(on_screen(overlay, pixels[i]), on_screen(overlay, pixels[i + 1]), palette().hot,
+                           overlay.metrics.px(1.4F));
+    for (const Vector2& pixel : pixels)
+      overlay.list.AddCircleFilled(on_screen(overlay, pixel), overlay.metrics.px(2.5F), palette().hot);
+  }
+
+  /// Draws a mark for what holds the point: a square on vertices, a triangle on middles, a circle on edges
+  /// and surfaces.
+  void draw_place(const Projector& projector, const ToolOverlay& overlay) const {
+    const auto at = projector.project(place_->point);
+    if (!at) return;
+    const ImVec2 p = on_screen(overlay, at->head<2>());
+    const float r = overlay.metrics.px(7), thick = overlay.metrics.px(1.8F);
+    const auto mark = [&](ImU32 colour, float width) {
+      switch (place_->kind) {
+        case MeasurePlace::Kind::vertex:
+          overlay.list.AddRect({p.x - r, p.y - r}, {p.x + r, p.y + r}, colour, 0, 0, width);
+          break;
+        case MeasurePlace::Kind::middle:
+          overlay.list.AddTriangle({p.x, p.y - r}, {p.x + r, p.y + 0.75F * r}, {p.x - r, p.y + 0.75F * r},
+                                   colour, width);
+          break;
+        case MeasurePlace::Kind::edge:
+          overlay.list.AddCircle(p, r, colour, 0, width);
+          break;
+        default:
+          overlay.list.AddCircle(p, 0.6F * r, colour, 0, width);
+      }
+    };
+    mark(with_alpha(palette().window, 0.8F), 2.2F * thick);
+    mark(error_.empty() ? palette().text : palette().warning, thick);
+  }
+
+  DimensionKind kind_;
+  Vector2 pointer_ = Vector2::Zero();  ///< framebuffer pixels
+  std::vector<Anchor> anchors_;        ///< of the points that were clicked
+  std::optional<MeasurePlace> place_;
+  std::string value_, steps_, error_;
+};
+
+}  // namespace
+
+std::unique_ptr<Tool> make_measure_tool(DimensionKind kind) {
+  return std::make_unique<MeasureTool>(kind);
+}
+
+}  // namespace hariko
