@@ -159,8 +159,7 @@ std::pair<Vector2, Vector2> label_box(const DimensionShape& shape, const std::st
   return {shape.label - half, shape.label + half};
 }
 
-void draw_dimension(const ToolOverlay& overlay, const DimensionShape& shape, const std::string& text,
-                    DimensionLook look) {
+void draw_dimension_lines(const ToolOverlay& overlay, const DimensionShape& shape, DimensionLook look) {
   if (!shape.seen) return;
   const Metrics& m = overlay.metrics;
   const ImU32 colour = colour_of_look(look);
@@ -174,7 +173,13 @@ void draw_dimension(const ToolOverlay& overlay, const DimensionShape& shape, con
     overlay.list.AddCircleFilled(at, m.px(3.4F), with_alpha(palette().window, 0.6F));
     overlay.list.AddCircleFilled(at, m.px(2.4F), colour);
   }
-  if (text.empty()) return;
+}
+
+void draw_dimension_label(const ToolOverlay& overlay, const DimensionShape& shape, const std::string& text,
+                          DimensionLook look) {
+  if (!shape.seen || text.empty()) return;
+  const Metrics& m = overlay.metrics;
+  const ImU32 colour = colour_of_look(look);
   const auto [from, to] = label_box(shape, text, pixel_scale_of(overlay));
   const ImVec2 low = on_screen(overlay, from), high = on_screen(overlay, to);
   overlay.list.AddRectFilled(low, high, with_alpha(palette().popup, 0.92F), m.px(4));

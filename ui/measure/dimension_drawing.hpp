@@ -34,8 +34,10 @@ std::pair<Vector2, Vector2> label_box(const DimensionShape& shape, const std::st
 
 enum class DimensionLook { plain, hovered, chosen };
 
-/// Draws a dimension; an empty text is no label.
-void draw_dimension(const ToolOverlay& overlay, const DimensionShape& shape, const std::string& text,
-                    DimensionLook look);
+/// Draws the lines of a dimension.
+void draw_dimension_lines(const ToolOverlay& overlay, const DimensionShape& shape, DimensionLook look);
+/// Draws a label; nothing without a text. Labels go over the lines of all dimensions.
+void draw_dimension_label(const ToolOverlay& overlay, const DimensionShape& shape, const std::string& text,
+                          DimensionLook look);
 
 }  // namespace hariko

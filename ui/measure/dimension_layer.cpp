@@ -105,11 +105,14 @@ class DimensionLayer final : public ViewLayer {
     const auto chosen = editor.dimensions.chosen(editor);
     const auto others =
         pane.active ? std::vector<DrawnDimension>() : drawn_dimensions(editor, pane.projector);
-    for (const DrawnDimension& drawn : pane.active ? drawn_ : others) {
-      const DimensionLook look = chosen == drawn.id ? DimensionLook::chosen
-                                 : hot_ == drawn.id ? DimensionLook::hovered
-                                                    : DimensionLook::plain;
-      draw_dimension(pane.overlay, drawn.shape, drawn.text, look);
+    const auto look_of = [&](const DrawnDimension& drawn) {
+      if (chosen == drawn.id) return DimensionLook::chosen;
+      return hot_ == drawn.id ? DimensionLook::hovered : DimensionLook::plain;
+    };
+    const auto& shown = pane.active ? drawn_ : others;
+    for (const DrawnDimension& drawn : shown) draw_dimension_lines(pane.overlay, drawn.shape, look_of(drawn));
+    for (const DrawnDimension& drawn : shown) {
+      draw_dimension_label(pane.overlay, drawn.shape, drawn.text, look_of(drawn));
       if (pane.active)
         pane.marks.rect("dimension." + std::to_string(drawn.id.value), on_screen(pane.overlay, drawn.low),
                         on_screen(pane.overlay, drawn.high));

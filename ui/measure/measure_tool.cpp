@@ -79,7 +79,7 @@ class MeasureTool final : public Tool {
     if (const auto value = present(context)) {
       const DimensionShape shape =
           shape_of(kind_, *value, Vector3::Zero(), projector, context.editor.pixel_scale);
-      draw_dimension(overlay, shape, "", DimensionLook::hovered);
+      draw_dimension_lines(overlay, shape, DimensionLook::hovered);
     } else {
       draw_begun(context, overlay);
     }
