@@ -238,6 +238,38 @@ def gestures(window):
     hands.label(window, "Group points")
 
 
+def in_a_row(window):
+    """Five boxes; the panel shows the numbers of the step."""
+    hands.empty_document(window)
+    hands.choose(window, "Add", "command.add.box")
+    hands.label(window, "Add box")
+    command(window, "Array in a row")
+    window.click_on("field.array_count")
+    window.key("ctrl+a")
+    window.type("5")
+    window.key("Return")
+    window.wait_idle()
+    window.key("Home")
+
+
+def dimensions(window):
+    """The length of an edge, and the angle between two."""
+    window.key("Home")
+    window.wait_idle()
+    nearest = sorted(window.last("vertices")["objects"]["1"].values(), key=lambda pixel: pixel[2])[:3]
+    for key, count in (("d", 2), ("alt+d", 3)):
+        window.key(key)
+        for x, y, _ in nearest[:count]:
+            window.click(x, y)
+            window.wait_idle()
+        window.key("Escape")
+        window.wait_idle()
+
+
+def draft(window):
+    command(window, "Draft angle")
+
+
 # Picture -> (sample, text of a .json or none, what is done, settings of the interface)
 WINDOWS = {
     "manual_start": (None, nothing, {}),
@@ -245,6 +277,9 @@ WINDOWS = {
     "manual_extrude": ("fig2", extrude, {}),
     "manual_cut": ("cube", cut, {}),
     "manual_zebra": ("car", zebra, {}),
+    "manual_array": ("cube", in_a_row, {}),
+    "manual_dimensions": ("fig2", dimensions, {}),
+    "manual_draft": ("car", draft, {}),
     "manual_mean": ("car", mean, {}),
     "manual_section": ("cube", section, {}),
     "manual_palette": ("fig2", palette, {}),
