@@ -190,6 +190,7 @@ TEST_F(Scripts, WrongArgumentsAreToldByStepAndName) {
   expect_refused(list(step("add.box", {{"width", "3 apples"}})), {"step 1", "\"width\" is no number"});
   expect_refused(list(step("add.box", {{"width", 0}})), {"step 1", "\"width\" is 0, but must be"});
   expect_refused(list(step("add.prism", {{"sides", 2}})), {"\"sides\" is 2, but must be 3 to"});
+  expect_refused(list(step("add.prism", {{"sides", 100000}})), {"\"sides\" is 100000, but must be 3 to"});
   expect_refused(list(step("add.prism", {{"sides", 5.5}})), {"\"sides\" must be a whole number"});
   expect_refused(list(step("add.box", {{"widht", 3}})), {"no argument \"widht\"", "Did you mean \"width\"?"});
   expect_refused(list(step("add.box", {{"at", {1, 2}}})), {"\"at\" must be a list of three numbers"});

@@ -25,9 +25,15 @@ Message wrong_argument(const ArgumentSpec& spec, const std::string& what) {
                     "`hariko run --list` says what each command takes.");
 }
 
+/// The number, without an exponent where it is whole.
 std::string plain(double value) {
   std::string out;
-  append_real(out, value);
+  if (value == std::round(value) && std::abs(value) < 1e15) {
+    if (value < 0) out = "-";
+    append_integer(out, static_cast<std::uint64_t>(std::abs(value)));
+  } else {
+    append_real(out, value);
+  }
   return out;
 }
 
