@@ -128,13 +128,13 @@ Result<Done> make_ball(const EnvelopedScene& scene, Quality quality, const Cance
   out.rounds = made->rounds;
   out.symmetric = scene.mirror.has_value();
   // Patches within the tolerance of the shape lie outside the solids (docs/envelope.md).
-  out.enclosed = made->inward <= made->tolerance;
+  out.enclosed = made->contains_solids();
   if (ball.on_faces) {
     out.sticks_out = made->sticks_out;
-    out.enclosed = made->sticks_out + made->inward <= enclosure_tolerance * out.diagonal;
+    out.enclosed = made->lost == 0 && made->sticks_out + made->inward <= enclosure_tolerance * out.diagonal;
   }
   if (quality == Quality::drag) return Done{};
-  if (made->coarse > 0)
+  if (made->coarse > 0 || made->lost > 0)
     if (const auto done = examine(scene, out, cancel); !done) return done;
   if (out.sticks_out && out.check) out.sticks_out = std::max(*out.sticks_out, out.check->worst);
   add_ball_warnings(*made, wanted.rounding, ball.sigma, out);

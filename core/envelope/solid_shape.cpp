@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -53,27 +54,34 @@ SolidPlace place_inside(const Vector3& point, double distance, const Vector3& no
   return {distance, normal, point, -distance};
 }
 
-/// Angle at which a smooth function of period 2 pi with few minima is least.
+/// Angle at which a function of period 2 pi with few minima is least. Inside solids minima may be kinks,
+/// whose angle counts to the last digit; about smooth ones the function is flat, and the search ends sooner.
 template <class Function>
 double least_angle(const Function& value) {
   constexpr int samples = 32;
   constexpr double spacing = 2 * std::numbers::pi / samples;
-  int best = 0;
-  double least = 1e300;
-  for (int k = 0; k < samples; ++k)
-    if (const double f = value(k * spacing); f < least) least = f, best = k;
+  constexpr double rounding = 4e-16;  ///< relative
+  constexpr int most_rounds = 74;     ///< an interval of rounding's size is left
+  std::array<double, samples> all;
+  for (int k = 0; k < samples; ++k) all[std::size_t(k)] = value(k * spacing);
+  const int best = int(std::ranges::min_element(all) - all.begin());
   constexpr double golden = 1 / std::numbers::phi;
   double low = (best - 1) * spacing, high = (best + 1) * spacing;
+  double at_low = all[std::size_t((best + samples - 1) % samples)],
+         at_high = all[std::size_t((best + 1) % samples)];
   double a = high - golden * (high - low), b = low + golden * (high - low);
   double fa = value(a), fb = value(b);
-  for (int round = 0; round < 36; ++round)
+  for (int round = 0; round < most_rounds; ++round) {
+    const double least = std::min(fa, fb);
+    if (std::max(at_low, at_high) - least <= rounding * std::abs(least)) break;
     if (fa < fb) {
-      high = b, b = a, fb = fa;
+      high = b, at_high = fb, b = a, fb = fa;
       fa = value(a = high - golden * (high - low));
     } else {
-      low = a, a = b, fa = fb;
+      low = a, at_low = fa, a = b, fa = fb;
       fb = value(b = low + golden * (high - low));
     }
+  }
   return 0.5 * (low + high);
 }
 
@@ -218,7 +226,8 @@ void SolidShape::find_face_middles(std::span<const std::array<Index, 2>> coplana
 }
 
 Vector3 SolidShape::middle() const {
-  return hull_ ? hull_->middle : Vector3(Vector3::Zero());
+  // Only the torus has a path: its tube has a middle there, and the others at their centre.
+  return hull_ ? hull_->middle : Vector3(ring_.x(), 0, 0);
 }
 
 double SolidShape::distance(const Vector3& point) const {

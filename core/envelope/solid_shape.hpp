@@ -54,7 +54,7 @@ class SolidShape {
   /// One point of each kind of flat face, in its own axes about its centre: candidates for the least mean of
   /// the distance over a neighbourhood. Empty where no face is flat.
   const std::vector<Vector3>& face_middles() const { return face_middles_; }
-  /// Point deep inside a convex solid, in its own axes about its centre.
+  /// Point deep inside the solid, in its own axes about its centre.
   Vector3 middle() const;
   /// `count` points distributed over the surface; on convex solids without gaps.
   std::vector<Vector3> surface_points(int count) const;

@@ -122,6 +122,38 @@ TEST(BallControls, TightScenesDoNotFold) {
   });
 }
 
+TEST(BallControls, ATipBetweenThePointsOfLargeCubesIsCovered) {
+  // One patch ran below the tip of a pyramid, and three rounds of halving ended with one crowded patch above
+  // it.
+  std::mt19937_64 rng(2563127032);
+  EnvelopeInput input = random_scene(rng);
+  const double size = solids_size(input.solids);
+  input.settings.method = EnvelopeMethod::ball;
+  input.settings.rounding = 0.025 * size;
+  input.settings.ball_radius = 3 * input.settings.rounding;
+  const EnvelopeSurface made = envelope_of(input);
+  EXPECT_EQ(made.folds, 0U);
+  EXPECT_EQ(made.coarse, 0U);
+  EXPECT_TRUE(made.enclosed);
+  EXPECT_EQ(judged(input, made).outside, 0U);
+}
+
+TEST(BallControls, NoSolidIsTooSmallForASurface) {
+  // Much smaller than the rounding: its surface is a ball of half of the rounding, and fits between the
+  // points at which large cubes are looked at.
+  const auto check = [](const Vector3& at) {
+    SCOPED_TRACE(testing::Message() << at.transpose());
+    const EnvelopeInput input = scene_of({box_at({1, 0.8, 0.6}, {0, 0, 0}), ball_at(0.0005, at)}, 0.03, 0.09);
+    const EnvelopeSurface made = envelope_of(input);
+    EXPECT_EQ(made.components, 2);
+    EXPECT_TRUE(made.enclosed);
+    EXPECT_EQ(judged(input, made).outside, 0U);
+  };
+  check({0.83146099682365604, -0.08368995095986341, 0.011927898686318855});
+  check({0.83403586705040333, 0.026382805359134009, -0.012648939885476371});
+  for_random(4, 3, [&](std::mt19937_64& rng) { check(Vector3(0.8, 0, 0) + random_vector(rng, 0.1)); });
+}
+
 TEST(BallControls, AHollowIsFilled) {
   std::vector<Solid> walls;
   for (int axis = 0; axis < 3; ++axis)

@@ -181,6 +181,61 @@ TEST(SolidShapes, DistancesChangeByTheWayAtMostAndGradientsAreTheirs) {
     }
 }
 
+TEST(SolidShapes, DistancesInPlanesOfSymmetryHaveAllDigits) {
+  // Inside, in the plane across the least axis, the nearest points lie on both sides of it, and the distance
+  // is known: it falls to both sides by no more than the way.
+  for_random(10, 60, [](std::mt19937_64& rng) {
+    Vector3 half(uniform(rng, 0.1, 0.2), uniform(rng, 0.3, 1), uniform(rng, 0.3, 1));
+    const Vector3 gap = half.cwiseProduct(half) - Vector3::Constant(half.x() * half.x());
+    const double angle = uniform(rng, 0, 2 * std::numbers::pi), share = uniform(rng, 0, 0.99);
+    const Vector3 in_plane(0, share * std::cos(angle) * gap.y() / half.y(),
+                           share * std::sin(angle) * gap.z() / half.z());
+    const double known = -half.x() * std::sqrt(1 - in_plane.y() * in_plane.y() / gap.y() -
+                                               in_plane.z() * in_plane.z() / gap.z());
+    Solid solid = solid_of(SolidKind::sphere);
+    solid.radius = 1;
+    solid.scale = half;
+    const SolidShape shape(solid, Vector3::Zero());
+    for (const double beside : {0.0, 1e-15, -1e-12, 1e-9, -1e-6, 1e-4}) {
+      const double distance = shape.distance(in_plane + beside * Vector3::UnitX());
+      EXPECT_NEAR(distance, known, std::abs(beside) + 1e-15) << beside;
+      EXPECT_GE(distance, known - 1e-15) << beside;
+    }
+  });
+}
+
+TEST(SolidShapes, StretchedToriFindTheirDeepestBall) {
+  // The depth is that in one of the ellipsoids that make the tube. Where it is least on a kink, an angle that
+  // is right to half of the digits leaves half of the digits.
+  for_random(12, 100, [](std::mt19937_64& rng) {
+    Solid solid = solid_of(SolidKind::torus);
+    solid.scale = {uniform(rng, 0.5, 2), uniform(rng, 0.5, 2), uniform(rng, 0.5, 2)};
+    const SolidShape shape(solid, Vector3::Zero());
+    Solid part = solid_of(SolidKind::sphere);
+    part.radius = solid.tube;
+    part.scale = solid.scale;
+    const SolidShape ball(part, Vector3::Zero());
+    const auto middle = [&](double a) -> Vector3 {
+      return (solid.radius * Vector3(std::cos(a), std::sin(a), 0)).cwiseProduct(solid.scale);
+    };
+    for (int k = 0; k < 10; ++k) {
+      const double about = uniform(rng, 0, 2 * std::numbers::pi);
+      const Vector3 at = middle(about) + 0.1 * random_vector(rng);
+      const auto depth = [&](double a) { return ball.distance(at - middle(a)); };
+      const double step = 0.01;
+      int best = 0;
+      for (int i = 1; i < 629; ++i)
+        if (depth(i * step) < depth(best * step)) best = i;
+      double low = (best - 1) * step, high = (best + 1) * step;
+      for (int round = 0; round < 90; ++round) {
+        const double a = low + (high - low) / 3, b = high - (high - low) / 3;
+        (depth(a) < depth(b) ? high : low) = depth(a) < depth(b) ? b : a;
+      }
+      EXPECT_NEAR(shape.distance(at), depth(low), 1e-12) << at.transpose();
+    }
+  });
+}
+
 TEST(BallClosing, IsNeverFartherInThanAnySolid) {
   std::mt19937_64 rng(9);
   for (int scene = 0; scene < 12; ++scene) {

@@ -31,23 +31,31 @@ class CubeSplitter {
  public:
   CubeSplitter(const SplineField& field, CubeTree& cubes) : field_(field), cubes_(cubes) {}
 
-  void look_at(const Cube& cube) {
+  void look_at(const Cube& cube, bool ahead) {
     if (cube.level >= cubes_.depth()) return;
     const double edge = cubes_.edge(cube.level);
     const int steps = cubes_.steps(cube.level);
     const std::array<int, 3> low{cube.at[0] * steps, cube.at[1] * steps, cube.at[2] * steps};
     const Vector3 corner = cubes_.point(low);
-    const double middle = field_.value(corner + Vector3::Constant(0.5 * edge));
-    if (std::abs(middle) > std::sqrt(3.0) * 0.5 * edge) return;
-    if (!spreads(corner, edge)) return;
+    if (!spreads(corner, edge) && !(ahead && part_spreads(corner, 0.5 * edge))) return;
     cubes_.split(cube);
     for (int c = 0; c < 8; ++c)
       look_at({cube.level + 1,
-               {2 * cube.at[0] + (c & 1), 2 * cube.at[1] + (c >> 1 & 1), 2 * cube.at[2] + (c >> 2)}});
+               {2 * cube.at[0] + (c & 1), 2 * cube.at[1] + (c >> 1 & 1), 2 * cube.at[2] + (c >> 2)}},
+              false);
   }
 
  private:
+  /// Whether normals spread in one of the halves of a cube.
+  bool part_spreads(const Vector3& corner, double half) {
+    for (int c = 0; c < 8; ++c)
+      if (spreads(corner + half * Vector3(c & 1, c >> 1 & 1, c >> 2), half)) return true;
+    return false;
+  }
+
   bool spreads(const Vector3& corner, double edge) {
+    const double middle = field_.value(corner + Vector3::Constant(0.5 * edge));
+    if (std::abs(middle) > std::sqrt(3.0) * 0.5 * edge) return false;
     normals_.clear();
     for (int c = 0; c < 27; ++c) {
       const Vector3 p = corner + 0.5 * edge * Vector3(c % 3, c / 3 % 3, c / 9);
@@ -336,7 +344,7 @@ class Evening {
 
 }  // namespace
 
-CubeTree surface_cubes(const SplineField& field, const Vector3& origin, double edge) {
+CubeTree surface_cubes(const SplineField& field, const Vector3& origin, double edge, bool ahead) {
   Vector3 low;
   std::array<int, 3> size{};
   for (Eigen::Index a = 0; a < 3; ++a) {
@@ -349,7 +357,7 @@ CubeTree surface_cubes(const SplineField& field, const Vector3& origin, double e
   CubeSplitter splitter(field, out);
   for (int k = 0; k < size[2]; ++k)
     for (int j = 0; j < size[1]; ++j)
-      for (int i = 0; i < size[0]; ++i) splitter.look_at({0, {i, j, k}});
+      for (int i = 0; i < size[0]; ++i) splitter.look_at({0, {i, j, k}}, ahead);
   return out;
 }
 

@@ -20,9 +20,10 @@ struct BallCage {
 };
 
 /// Cubes that cover the surface, with corners at multiples of `edge` from the object's origin, split where
-/// normals in a cube spread too widely for the mesh to represent the surface. Positions are relative to
-/// `origin`. O(cubes of the box).
-CubeTree surface_cubes(const SplineField& field, const Vector3& origin, double edge);
+/// normals in a cube spread too widely for the mesh to represent the surface. `ahead`: cubes of the first
+/// level are also split where they would be if they were half as large, as their points lie too far apart to
+/// see the smallest parts. Positions are relative to `origin`. O(cubes of the box).
+CubeTree surface_cubes(const SplineField& field, const Vector3& origin, double edge, bool ahead = false);
 
 /// Makes the quad mesh. Its sides are as long as the cubes' edges where all cubes have the same size, else
 /// half as long: triangles between cubes of different sizes, and then all other faces too, are divided into

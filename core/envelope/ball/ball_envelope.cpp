@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <tuple>
 
 #include "core/envelope/ball/ball_patches.hpp"
 #include "core/envelope/ball/pinches.hpp"
+#include "core/geometry/winding_tree.hpp"
 
 namespace hariko {
 
@@ -25,7 +27,7 @@ constexpr double finer_share = 0.7;  ///< factor of the edges for finer patches
 constexpr int spread_points = 200;
 constexpr int least_curve_points = 8, most_curve_points = 400;  ///< number of such points on an edge or a rim
 constexpr int foot_steps = 8;
-constexpr int most_cuts = 3, final_rounds = 3, drag_rounds = 1;
+constexpr int most_cuts = 3, final_rounds = 6, drag_rounds = 1;
 constexpr int fit_intervals = 8, drag_intervals = 4;  ///< number of sample intervals along a side of a patch
 constexpr double least_agreement = 0.77;              ///< cosine of 40 degrees
 /// Radians: a quad over which the surface turns more misses a part of it.
@@ -44,18 +46,53 @@ QuadCuts cuts_of(const PatchFit& fit) {
   return {fit.turn[0] >= even_turn * most, fit.turn[1] >= even_turn * most};
 }
 
+/// Points that lie outside a cage.
+std::vector<Vector3> points_outside(const BallCage& cage, std::span<const Vector3> points) {
+  std::vector<std::array<Index, 3>> triangles;
+  for (const auto& [a, b, c, d] : cage.quads) triangles.insert(triangles.end(), {{a, b, c}, {a, c, d}});
+  if (triangles.empty()) return {points.begin(), points.end()};
+  const WindingTree tree(cage.positions, triangles);
+  std::vector<Vector3> out;
+  for (const Vector3& p : points)
+    if (tree.winding(p) < 0.5) out.push_back(p);
+  return out;
+}
+
+/// Leaves round points: several where a point lies between them, so that both sides of a plane of symmetry
+/// are split alike.
+std::vector<Cube> cubes_about(const CubeTree& cubes, std::span<const Vector3> points) {
+  const double beside = 1e-6 * cubes.edge(cubes.depth());
+  std::vector<Cube> out;
+  for (const Vector3& p : points)
+    for (int c = 0; c < 8; ++c)
+      out.push_back(cubes.leaf_at(p + beside * Vector3(c & 1 ? 1 : -1, c & 2 ? 1 : -1, c & 4 ? 1 : -1)));
+  return out;
+}
+
 /// Patches over a cage, with their deviations.
 struct Fitted {
   BallCage cage;
   std::vector<HermitePatch> patches;
   std::vector<PatchFit> fits;
+  std::vector<Vector3> lost;       ///< middles of solids outside of the cage
+  double inward = 0, outward = 0;  ///< largest deviations
+  std::size_t folds = 0;
   std::size_t coarse = 0;  ///< number of patches that deviate too much
   int rounds = 0;          ///< number of rounds in which quads or cubes were split
 
-  Fitted(const SplineField& field, BallCage of, double tolerance, int intervals)
-      : cage(std::move(of)), patches(ball_patches(field, cage)), fits(patch_fits(field, patches, intervals)) {
-    for (const PatchFit& fit : fits) coarse += !is_good(fit, tolerance);
+  Fitted(const BallField& field, BallCage of, double tolerance, int intervals)
+      : cage(std::move(of)),
+        patches(ball_patches(field.field, cage)),
+        fits(patch_fits(field.field, patches, intervals)),
+        lost(points_outside(cage, field.middles)) {
+    for (const PatchFit& fit : fits) {
+      inward = std::max(inward, fit.inward);
+      outward = std::max(outward, fit.outward);
+      folds += fit.least_agreement < 0;
+      coarse += !is_good(fit, tolerance);
+    }
   }
+  bool is_good_throughout() const { return coarse == 0 && lost.empty(); }
   double turn() const {
     double out = 0;
     for (const PatchFit& fit : fits) out = std::max({out, fit.turn[0], fit.turn[1]});
@@ -65,7 +102,7 @@ struct Fitted {
 
 class Fitting {
  public:
-  Fitting(const SplineField& field, const Vector3& origin, const BallSettings& settings, Quality quality,
+  Fitting(const BallField& field, const Vector3& origin, const BallSettings& settings, Quality quality,
           const CancelToken& cancel)
       : field_(field),
         origin_(origin),
@@ -79,18 +116,30 @@ class Fitting {
   /// miss part of the surface or patches deviate too much.
   std::optional<Fitted> run() const {
     std::optional<Fitted> best;
-    if (CubeTree cubes = surface_cubes(field_, origin_, edge_); !cubes.any_split())
+    if (CubeTree cubes = surface_cubes(field_.field, origin_, edge_); !cubes.any_split())
       best = cut_where_needed(over(cubes));
-    if (!best || best->coarse > 0) {
+    if (!best || !best->is_good_throughout()) {
       Fitted halved = halved_where_needed();
-      if (!best || halved.coarse < best->coarse) best = std::move(halved);
+      if (!best || is_better(halved, *best)) best = std::move(halved);
     }
     if (best->cage.quads.empty()) return {};
     return best;
   }
 
  private:
-  Fitted over(CubeTree& cubes) const { return {field_, ball_cage(field_, cubes), tolerance_, intervals_}; }
+  Fitted over(CubeTree& cubes) const {
+    return {field_, ball_cage(field_.field, cubes), tolerance_, intervals_};
+  }
+
+  /// Order of candidates: containing the solids comes first, then no folds, then few patches that deviate, as
+  /// one patch that cuts off a tip is worse than ten that lie a little too far outside.
+  bool is_better(const Fitted& a, const Fitted& b) const {
+    const auto badness = [&](const Fitted& of) {
+      return std::tuple(of.lost.size(), std::max(of.inward, tolerance_), of.folds,
+                        std::max(of.outward, tolerance_), of.coarse);
+    };
+    return badness(a) < badness(b);
+  }
 
   /// Cuts the patches that deviate too much, as long as that helps.
   Fitted cut_where_needed(Fitted of) const {
@@ -98,7 +147,8 @@ class Fitting {
       std::vector<QuadCuts> cuts;
       for (const PatchFit& fit : of.fits)
         cuts.push_back(is_good(fit, tolerance_) ? QuadCuts{false, false} : cuts_of(fit));
-      Fitted next(field_, cut_cage(field_, of.cage, of.patches, cuts, 0.25 * edge_), tolerance_, intervals_);
+      Fitted next(field_, cut_cage(field_.field, of.cage, of.patches, cuts, 0.25 * edge_), tolerance_,
+                  intervals_);
       if (next.coarse >= 2 * of.coarse) break;
       next.rounds = of.rounds + 1;
       of = std::move(next);
@@ -106,28 +156,31 @@ class Fitting {
     return of;
   }
 
-  /// Splits the cubes below patches that deviate too much, as long as there are any and levels are left.
-  /// Begins with cubes twice as large, because sides of patches are half as long as theirs.
+  /// Splits the cubes below patches that deviate too much, and those of solids without a surface, as long as
+  /// there are any and levels are left. Begins with cubes twice as large, because sides of patches are half
+  /// as long as theirs.
   Fitted halved_where_needed() const {
-    CubeTree cubes = surface_cubes(field_, origin_, 2 * edge_);
+    CubeTree cubes = surface_cubes(field_.field, origin_, 2 * edge_, true);
     Fitted last = over(cubes), best = last;
-    for (int round = 1; round <= most_rounds_ && last.coarse > 0 && !cancel_.cancelled(); ++round) {
+    for (int round = 1; round <= most_rounds_ && !last.is_good_throughout() && !cancel_.cancelled();
+         ++round) {
       bool any = false;
-      for (std::size_t q = 0; q < last.fits.size(); ++q) {
-        const Cube& cube = last.cage.cubes[q];
-        if (is_good(last.fits[q], tolerance_) || cube.level >= cubes.depth()) continue;
-        any = true;
+      const auto split = [&](const Cube& cube) {
+        any = any || cube.level < cubes.depth();
         cubes.split(cube);
-      }
+      };
+      for (std::size_t q = 0; q < last.fits.size(); ++q)
+        if (!is_good(last.fits[q], tolerance_)) split(last.cage.cubes[q]);
+      for (const Cube& cube : cubes_about(cubes, last.lost)) split(cube);
       if (!any) break;
       last = over(cubes);
       last.rounds = round;
-      if (last.coarse < best.coarse) best = last;
+      if (is_better(last, best)) best = last;
     }
     return best;
   }
 
-  const SplineField& field_;
+  const BallField& field_;
   const Vector3& origin_;
   double edge_, tolerance_;
   int intervals_, most_rounds_;
@@ -185,6 +238,9 @@ BallField ball_field(std::span<const Solid> solids, const BallSettings& settings
   std::vector<GrownSolid> grown;
   for (const Solid& solid : solids)
     grown.push_back(grown_solid(solid, origin, settings.sigma, room_outside(settings), settings.on_faces));
+  BallField out;
+  for (const GrownSolid& solid : grown)
+    out.middles.push_back(solid.shape.from_own_axes(solid.shape.middle()));
   const GrownUnion all(std::move(grown));
   LatticeRequest request{all};
   request.radius = settings.radius;
@@ -193,7 +249,6 @@ BallField ball_field(std::span<const Solid> solids, const BallSettings& settings
   request.origin = origin;
   request.mirror = mirror;
   request.own_balls = own_balls(solids, settings.sigma);
-  BallField out;
   out.field = smoothed_closing(request, &out.lattice, cancel);
   if (!cancel.cancelled())
     out.pinches = close_pinches(out.field, settings.sigma, mirror, mirror ? -origin[*mirror] : 0);
@@ -212,7 +267,7 @@ std::optional<BallEnvelope> ball_envelope(std::span<const Solid> solids, const B
   out.tolerance = patch_tolerance * settings.sigma;
   static_cast<BallField&>(out) = ball_field(solids, settings, origin, mirror, quality, cancel);
   if (cancel.cancelled()) return {};
-  std::optional<Fitted> made = Fitting(out.field, origin, settings, quality, cancel).run();
+  std::optional<Fitted> made = Fitting(out, origin, settings, quality, cancel).run();
   if (cancel.cancelled() || !made) return {};
   out.cage = std::move(made->cage);
   out.topology = topology_of(out.cage);
@@ -223,11 +278,10 @@ std::optional<BallEnvelope> ball_envelope(std::span<const Solid> solids, const B
   }
   out.rounds = made->rounds;
   out.coarse = made->coarse;
-  for (const PatchFit& fit : made->fits) {
-    out.outward = std::max(out.outward, fit.outward);
-    out.inward = std::max(out.inward, fit.inward);
-    out.folds += fit.least_agreement < 0;
-  }
+  out.lost = made->lost.size();
+  out.outward = made->outward;
+  out.inward = made->inward;
+  out.folds = made->folds;
   out.surface = ball_surface(out.field, out.cage, std::move(made->patches), origin);
   return out;
 }

@@ -36,7 +36,8 @@ double room_outside(const BallSettings& settings);
 struct BallField {
   SplineField field;
   LatticeReport lattice;
-  std::size_t pinches = 0;  ///< number of necks that were joined and holes that were closed
+  std::size_t pinches = 0;       ///< number of necks that were joined and holes that were closed
+  std::vector<Vector3> middles;  ///< one point inside every solid
 };
 
 /// Envelope with its field, mesh, patches and measured deviations.
@@ -50,9 +51,14 @@ struct BallEnvelope : BallField {
   double outward = 0, inward = 0;
   std::size_t folds = 0;   ///< number of patches with a normal opposite to the field's gradient
   std::size_t coarse = 0;  ///< number of patches that are farther from the zero surface than `tolerance`
+  std::size_t lost = 0;    ///< number of solids whose part of the zero surface has no patches
   /// Least depth of every solid below the field's zero surface, unless faces lie on it.
   double tolerance = 0;
   int rounds = 0;  ///< number of rounds in which cubes were split
+
+  /// Whether the patches contain every solid, unless faces lie on the zero surface: a solid lies in one part
+  /// of the field's inside, which patches near its zero surface leave only together with the solid's middle.
+  bool contains_solids() const { return inward <= tolerance && lost == 0; }
 };
 
 /// Computes the field: the first step of `ball_envelope`.

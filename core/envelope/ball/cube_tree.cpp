@@ -1,5 +1,8 @@
 #include "core/envelope/ball/cube_tree.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 namespace hariko {
 
 void CubeTree::split(const Cube& cube) {
@@ -24,6 +27,16 @@ Cube CubeTree::leaf(const std::array<int, 3>& steps) const {
     out.at = {steps[0] >> shift, steps[1] >> shift, steps[2] >> shift};
     if (!is_split(out)) return out;
   }
+}
+
+Cube CubeTree::leaf_at(const Vector3& point) const {
+  std::array<int, 3> steps;
+  for (std::size_t a = 0; a < 3; ++a) {
+    const auto axis = Eigen::Index(a);
+    const double at = std::floor((point[axis] - low_[axis]) / edge(depth_));
+    steps[a] = int(std::clamp(at, 0.0, double((size_[a] << depth_) - 1)));
+  }
+  return leaf(steps);
 }
 
 }  // namespace hariko

@@ -40,6 +40,8 @@ class CubeTree {
   void split(const Cube& cube);
   /// Unsplit cube that contains the cube of the last level at these steps.
   Cube leaf(const std::array<int, 3>& steps) const;
+  /// Unsplit cube that contains a point of the box.
+  Cube leaf_at(const Vector3& point) const;
 
  private:
   static std::uint64_t key(const Cube& cube) {
