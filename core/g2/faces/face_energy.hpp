@@ -134,8 +134,9 @@ CondensedFace condense(const ControlPlaces& places, const Eigen::MatrixXd& energ
 struct PlacedChart {
   FaceChart chart;
   ControlPlaces places;
-  PlacedChart(const std::vector<CornerShape>& corners, const std::vector<int>& joined)
-      : chart(corners, joined), places(chart) {}
+  PlacedChart(const std::vector<CornerShape>& corners, const std::vector<Vector2>& polygon,
+              const std::vector<int>& joined)
+      : chart(corners, polygon, joined), places(chart) {}
 };
 
 }  // namespace hariko

@@ -3,7 +3,6 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace hariko {
 
@@ -16,17 +15,17 @@ constexpr double least_length = 1e-4;  ///< relative to the mean
 
 }  // namespace
 
-ChartMeasure face_measure(const HalfEdgeMesh& mesh, const FaceCharts& charts, Index face, Index first) {
+ChartMeasure face_measure(const HalfEdgeMesh& mesh, const FaceCharts& charts, Index face, Index first,
+                          std::span<const Vector2> polygon) {
   ChartMeasure out;
   if (charts.frames == Frames::equal) return out;
   const Index n = mesh.side_count(face), begin = mesh.face_begin(face);
-  const double radius = 1 / (2 * std::sin(std::numbers::pi / double(n)));
-  Eigen::Matrix2d image = Eigen::Matrix2d::Zero();
+  Eigen::Matrix2d product = Eigen::Matrix2d::Zero(), square = product;
   for (Index j = 0; j < n; ++j) {
-    const double angle = 2 * std::numbers::pi * double(j) / double(n);
-    image += 2 / (double(n) * radius) * charts.corner[begin + (j + first) % n] *
-             Eigen::RowVector2d(std::cos(angle), std::sin(angle));
+    product += charts.corner[begin + (j + first) % n] * polygon[j].transpose();
+    square += polygon[j] * polygon[j].transpose();
   }
+  const Eigen::Matrix2d image = product * square.inverse();
   const double determinant = image.determinant();
   if (!(determinant > 0)) return out;
   out.inverse = std::sqrt(determinant) * image.inverse();
