@@ -33,6 +33,7 @@
 #include "app/pictures/pictures.hpp"
 #include "app/pictures/sample_pictures.hpp"
 #include "app/pictures/samples.hpp"
+#include "app/scripts/script_recorder.hpp"
 #include "app/window/display_loss.hpp"
 #include "app/window/failure_dialog.hpp"
 #include "app/window/gl_window.hpp"
@@ -160,6 +161,7 @@ class Application final : private ApplicationServices {
       frame();
     }
     replay_.end();
+    scripts_.finish();
     session_.update();
     signal_ == 0 ? session_.end() : session_.write_autosave();
     save_settings();
@@ -217,6 +219,8 @@ class Application final : private ApplicationServices {
   void add_section(ObjectId skin, double place) override { skins_.add_section(skin, place); }
   void record(const std::filesystem::path& path) override { replay_.record(path); }
   void stop_recording() override { replay_.stop(); }
+  void record_script(const std::filesystem::path& path) override { scripts_.begin(path); }
+  void stop_script() override { scripts_.finish(); }
   void give_picture(Sample& sample) override { sample_pictures_.give(sample, editor_.settings.theme); }
   void quit() override { quit_ = true; }
 
@@ -313,13 +317,14 @@ class Application final : private ApplicationServices {
     const bool measured = editor_.frame_times.visible;
     window_.begin_frame();
     workbench_.frame();
-    const GlWindow::FrameEnd end = window_.end_frame(measured);
-    // Edits of this frame go to the worker immediately, so that the next frame may show their surface.
+    // Edits of this frame go to the worker before its picture goes to the screen, which may take until the
+    // next refresh: the next frame can then show their surface.
     Recompute& recompute = editor_.recompute;
     if (std::exchange(recompute.wants_cancel, false)) engine_.cancel_all();
     if (std::exchange(recompute.wants_now, false)) engine_.recompute_outdated();
     engine_.sync(editor_.document(), editor_.history.in_gesture(), editor_.now, recompute.policy,
                  editor_.view.map);
+    const GlWindow::FrameEnd end = window_.end_frame(measured);
     meshes_.sync();
     gauss_.sync();
     references_.sync();
@@ -380,6 +385,8 @@ class Application final : private ApplicationServices {
   std::atomic<int> signal_ = 0;             ///< signal that asked to end
   FrameMeter meter_;
   ReplaySession replay_{editor_, workbench_, window_, engine_, log_};
+  ScriptRecorder scripts_{editor_, workbench_,
+                          [](const std::filesystem::path& path) { return open_file(path); }};
 };
 
 int fail(const Message& error, const RunLog& run_log) {

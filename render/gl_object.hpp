@@ -79,6 +79,14 @@ struct ProgramTraits {
   static GLuint create() { return glCreateProgram(); }
   static void destroy(GLuint name) { glDeleteProgram(name); }
 };
+struct QueryTraits {
+  static GLuint create() {
+    GLuint name = 0;
+    glGenQueries(1, &name);
+    return name;
+  }
+  static void destroy(GLuint name) { glDeleteQueries(1, &name); }
+};
 
 using Buffer = Object<BufferTraits>;
 using VertexArray = Object<VertexArrayTraits>;
@@ -86,5 +94,6 @@ using Texture = Object<TextureTraits>;
 using Renderbuffer = Object<RenderbufferTraits>;
 using Framebuffer = Object<FramebufferTraits>;
 using ProgramName = Object<ProgramTraits>;
+using Query = Object<QueryTraits>;
 
 }  // namespace hariko::gl

@@ -35,11 +35,38 @@ GridLines grid_lines(const GridSettings& grid, double height) {
   return {std::pow(10.0, power), 1 - (level - power)};
 }
 
+GridPlace grid_place(const Camera& camera, const GridSettings& grid) {
+  constexpr double least_slope = 0.01;
+  const double coarse = grid_cells * grid_lines(grid, camera.view_height()).spacing;
+  const auto near_target = [&](double coordinate) { return std::round(coordinate / coarse) * coarse; };
+  GridPlace place;
+  if (grid.plane && std::abs(grid.plane->axes.col(2).dot(camera.forward())) > least_slope) {
+    const Vector3 target = grid.plane->axes.transpose() * (camera.target - grid.plane->point);
+    const Vector3 centre(near_target(target.x()), near_target(target.y()), 0);
+    place.centre = grid.plane->point + grid.plane->axes * centre;
+    place.axes = grid.plane->axes;
+    place.zero = -centre.head<2>();
+    return place;
+  }
+  const auto side = side_plane(camera);
+  const SidePlane plane = side.value_or(SidePlane{0, 1});
+  for (const int axis : {plane.across, plane.up}) place.centre[axis] = near_target(camera.target[axis]);
+  // A backdrop's depth does not matter: it is ordered by drawing only.
+  place.centre[plane.normal()] = side ? camera.target[plane.normal()] : grid.height;
+  place.axes.col(0) = Vector3::Unit(plane.across);
+  place.axes.col(1) = Vector3::Unit(plane.up);
+  place.axes.col(2) = Vector3::Unit(plane.normal());
+  place.zero = {-place.centre[plane.across], -place.centre[plane.up]};
+  place.colours = {plane.across, plane.up};
+  place.backdrop = side.has_value();
+  return place;
+}
+
 std::vector<GridLabel> grid_labels(const Camera& camera, PixelSize size, const GridSettings& grid,
                                    double room, int& decimals) {
   std::vector<GridLabel> out;
   const auto plane = side_plane(camera);
-  if (!plane || !grid.visible) return out;
+  if (!plane || !grid.visible || !grid_place(camera, grid).backdrop) return out;
   const double pixel = camera.pixel_length(size),
                coarse = grid_cells * grid_lines(grid, camera.view_height()).spacing;
   double step = coarse;

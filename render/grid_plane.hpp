@@ -2,6 +2,7 @@
 
 // Grid of a view: its plane, lines and numbers. Pure functions.
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -21,6 +22,18 @@ struct SidePlane {
 /// see the ground.
 std::optional<SidePlane> side_plane(const Camera& camera);
 
+/// Where the grid of a view lies.
+struct GridPlace {
+  Vector3 centre = Vector3::Zero();    ///< of the drawn part: a crossing of coarse lines near the target
+  Matrix3 axes = Matrix3::Identity();  ///< columns: across, up, normal
+  Vector2 zero = Vector2::Zero();      ///< the plane's zero from the centre, across and up
+  std::array<int, 2> colours{0, 1};    ///< axes whose colours the lines through zero have
+  bool backdrop = false;               ///< behind everything, in a view from the side
+};
+/// On the settings' own plane, unless the camera sees that within 0.6 degrees from its edge; else as
+/// `side_plane` says, or on the ground.
+GridPlace grid_place(const Camera& camera, const GridSettings& grid);
+
 /// Spacing of the fine lines, in the document's unit, and their opacity, 0 .. 1.
 struct GridLines {
   double spacing = 1, weight = 1;
@@ -37,8 +50,8 @@ struct GridLabel {
   double value = 0;      ///< in the document's unit
 };
 /// Numbers of a side view's grid, at least `room` pixels apart: at coarse lines, or at every second, fifth or
-/// tenth of them; empty for other views. At most a hundred. `decimals` is set to the number that the values
-/// need.
+/// tenth of them; empty for other views, and where the grid lies on a plane of its own. At most a hundred.
+/// `decimals` is set to the number that the values need.
 std::vector<GridLabel> grid_labels(const Camera& camera, PixelSize size, const GridSettings& grid,
                                    double room, int& decimals);
 

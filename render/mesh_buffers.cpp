@@ -161,6 +161,8 @@ void MeshBuffers::update(const DisplayMesh& mesh, std::size_t& uploaded) {
     begin = end;
   }
   chunks_ = chunks;
+  // Refreshed meshes have lists of their own, but the curves of before: without values nothing is new.
+  if (seam_values_->empty() && mesh.seam_values()->empty()) seam_values_ = mesh.seam_values();
   if (seam_values_ != mesh.seam_values()) upload_curves(mesh, uploaded);
 }
 

@@ -208,36 +208,25 @@ void Painter::background(const Style& style, Background background) {
 void Painter::grid(const Frame& frame, const GridSettings& grid, const Style& style) {
   const double height = frame.camera.view_height();
   const auto [spacing, weight] = grid_lines(grid, height);
-  const Vector3& target = frame.camera.target;
-  const double coarse = grid_cells * spacing;
-  const auto side = side_plane(frame.camera);
-  const SidePlane plane = side.value_or(SidePlane{0, 1});
-  Vector3 centre = Vector3::Zero();
-  for (const int axis : {plane.across, plane.up}) centre[axis] = std::round(target[axis] / coarse) * coarse;
-  // A backdrop's depth does not matter: it is ordered by drawing only.
-  centre[plane.normal()] = side ? target[plane.normal()] : grid.height;
+  const GridPlace place = grid_place(frame.camera, grid);
   Matrix4 model = Matrix4::Identity();
-  model.col(0).head<3>() = Vector3::Unit(plane.across);
-  model.col(1).head<3>() = Vector3::Unit(plane.up);
-  model.col(2).head<3>() = Vector3::Unit(plane.normal());
-  model.topRightCorner<3, 1>() = centre;
+  model.topLeftCorner<3, 3>() = place.axes;
+  model.topRightCorner<3, 1>() = place.centre;
   const std::array axis_colors{rgb(style.axis_x), rgb(style.axis_y), rgb(style.axis_z)};
   const Program& program = programs_.grid;
   set_frame(program, frame, model, 0);
   program.set("radius", grid_reach * height * std::max(1.0, frame.size.aspect()) * 0.5);
   program.set("spacing", spacing);
   program.set("fine_weight", weight);
-  program.set("axes",
-              glm::vec2(static_cast<float>(-centre[plane.up]), static_cast<float>(-centre[plane.across])));
+  program.set("axes", glm::vec2(static_cast<float>(place.zero.y()), static_cast<float>(place.zero.x())));
   program.set("line_color", rgb(style.grid));
-  program.set("x_color", axis_colors[std::size_t(plane.across)]);
-  program.set("y_color", axis_colors[std::size_t(plane.up)]);
+  program.set("x_color", axis_colors[std::size_t(place.colours[0])]);
+  program.set("y_color", axis_colors[std::size_t(place.colours[1])]);
   program.set("strength", style.grid_strength);
   program.set("line_width", frame.pixel_scale);
-  program.set("normal_in_eye",
-              to_float(Vector3(frame.view.topLeftCorner<3, 3>() * Vector3::Unit(plane.normal()))));
+  program.set("normal_in_eye", to_float(Vector3(frame.view.topLeftCorner<3, 3>() * place.axes.col(2))));
   glEnable(GL_BLEND);
-  set_depth(side ? Depth::any : Depth::visible);
+  set_depth(place.backdrop ? Depth::any : Depth::visible);
   glBindVertexArray(empty_.name());
   glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
   count();

@@ -176,6 +176,7 @@ Highlights pick_lasso(const SceneObject& object, const Projector& projector, std
 Occlusion::Occlusion(const Scene& scene, const Projector& projector)
     : projector_(projector),
       section_(scene.section),
+      slack_(hiding_slack_pixels * scene.pixel_scale),
       nearest_(static_cast<std::size_t>(projector.size().width) *
                    static_cast<std::size_t>(projector.size().height),
                -std::numeric_limits<float>::infinity()) {
@@ -238,7 +239,7 @@ bool Occlusion::visible(const Vector3& world) const {
   const int x = static_cast<int>(std::floor(at->x())), y = static_cast<int>(std::floor(at->y()));
   const PixelSize size = projector_.size();
   if (x < 0 || y < 0 || x >= size.width || y >= size.height) return true;  // nothing is known there
-  const double slack = hiding_slack_pixels * projector_.pixel_length_at(world);
+  const double slack = slack_ * projector_.pixel_length_at(world);
   const double nearest =
       static_cast<double>(nearest_[static_cast<std::size_t>(y) * static_cast<std::size_t>(size.width) +
                                    static_cast<std::size_t>(x)]);

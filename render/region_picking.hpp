@@ -36,7 +36,8 @@ Highlights pick_lasso(const SceneObject& object, const Projector& projector, std
 class Occlusion {
  public:
   Occlusion(const Scene& scene, const Projector& projector);
-  /// Whether a world point is visible: not cut away, and not behind a face by more than a few pixels' length.
+  /// Whether a world point is visible: not cut away, and not behind a face by more than the length of
+  /// `hiding_slack_pixels`, which are design pixels.
   bool visible(const Vector3& world) const;
 
  private:
@@ -45,6 +46,7 @@ class Occlusion {
 
   Projector projector_;
   std::optional<SectionPlane> section_;
+  double slack_;  ///< pixels of the framebuffer
   /// Nearness of the foremost face: grows towards the eye and is linear on the screen; -infinity where there
   /// is none.
   std::vector<float> nearest_;

@@ -8,6 +8,7 @@
 
 #include "core/base/assert.hpp"
 #include "render/buffer_cache.hpp"
+#include "render/draw_timer.hpp"
 #include "render/frame_target.hpp"
 #include "render/grid_plane.hpp"
 #include "render/highlights.hpp"
@@ -64,6 +65,7 @@ struct Renderer::State {
 
   struct Picture {
     gl::FrameTarget target, kept, mask;
+    gl::DrawTimer timer;
     Background background = Background::dark;
   };
   /// Releases the cached copies of pictures that are drawn anew or freed; copies without a user are dropped
@@ -257,7 +259,8 @@ void Renderer::State::draw_polyhedron(const gl::Frame& frame, const SceneObject&
   if (object.show_polyhedron) {
     points(object.polyhedron->corners, style.corner);
     points(object.polyhedron->smooth, style.smooth);
-    points(object.polyhedron->pinned, style.pinned);
+    // Diamonds over nearly all vertices would hide the form, and tell nothing.
+    if (object.show_points && !object.quiet_network) points(object.polyhedron->pinned, style.pinned);
   }
 }
 
@@ -362,6 +365,7 @@ Result<Done> Renderer::draw(const Scene& scene, const Camera& camera, const Draw
   picture.background = scene.background;
   s.release(s.bit);
 
+  const auto measurement = picture.timer.start(options.timed, options.samples, s.statistics.time);
   picture.target.bind();
   glDisable(GL_CULL_FACE);
   glDisable(GL_SCISSOR_TEST);
@@ -374,7 +378,7 @@ Result<Done> Renderer::draw(const Scene& scene, const Camera& camera, const Draw
   glBlendEquation(GL_FUNC_ADD);
   s.painter->background(style, scene.background);
   draw_references(PictureLayer::behind);
-  const bool backdrop = side_plane(camera).has_value();
+  const bool backdrop = grid_place(camera, scene.grid).backdrop;
   if (scene.grid.visible && backdrop) s.painter->grid(frame, scene.grid, style);
   s.painter->cut(frame, true);
   for (const SceneObject& object : scene.objects) {

@@ -3,6 +3,7 @@
 // Renderer: draws a scene with OpenGL 3.3 core into a texture of its own.
 
 #include <memory>
+#include <optional>
 
 #include "core/base/result.hpp"
 #include "render/camera.hpp"
@@ -22,6 +23,13 @@ struct DrawOptions {
   int picture = 0;  ///< slot of the picture in the renderer: 0 .. most_pictures - 1
   /// Number of bytes of reference pictures that this drawing may upload; the rest follows with later ones.
   std::size_t upload_limit = std::size_t(-1);
+  bool timed = false;  ///< how long the graphics card takes is measured (FrameStatistics::time)
+};
+
+/// Time that the graphics card took for a picture.
+struct PictureTime {
+  double milliseconds = 0;
+  int samples = 0;  ///< that were asked for
 };
 
 /// Statistics of the last drawing.
@@ -30,6 +38,9 @@ struct FrameStatistics {
   std::size_t triangles = 0;
   int draw_calls = 0;
   bool unfinished = false;  ///< reference pictures are not fully sharp yet
+  /// Time of an earlier drawing into the same slot that was `timed`: given once, as soon as it is known
+  /// without waiting.
+  std::optional<PictureTime> time;
 };
 
 /// Renderer with its programs, framebuffers and GPU copies of the meshes drawn last. All calls, construction

@@ -43,11 +43,18 @@ struct SectionPlane {
 /// Backgrounds of a picture.
 enum class Background { dark, light, transparent };
 
-/// Ground grid.
+/// Grid on the ground, or on a plane of its own.
 struct GridSettings {
   bool visible = true;
   double height = 0;   ///< z of the ground plane
   double spacing = 0;  ///< spacing of the fine lines; 0 chooses a power of ten for the view
+  /// Zero and orthonormal axes (columns: x, y, normal) of another plane than the ground.
+  struct Plane {
+    Vector3 point;
+    Matrix3 axes;
+    friend bool operator==(const Plane&, const Plane&) = default;
+  };
+  std::optional<Plane> plane = std::nullopt;
 };
 
 /// Matrix from object to world.
@@ -70,7 +77,7 @@ struct SceneObject {
   bool show_surface = true;
   bool show_polyhedron = false;   ///< edges and points
   bool show_network = false;      ///< curves over source edges; creases and boundaries are drawn with it
-  bool quiet_network = false;     ///< thin, pale curves, for edges that nobody drew
+  bool quiet_network = false;     ///< thin, pale curves and no marks of pins, for edges that nobody drew
   bool elements_pickable = true;  ///< vertices and edges; false for nets that are not shown
   PatchWire wire = PatchWire::none;
   bool show_points = true;     ///< together with the polyhedron

@@ -39,7 +39,8 @@ ALLOWED = {
 # everywhere.
 UNSEEN = {"app/main.cpp", "app/crash_report.cpp", "app/input/test_log.cpp", "app/input/replay.cpp", "ui/base/key_chord.cpp",
           "ui/editor/command_arguments.cpp", "ui/view/select_scripts.cpp", "ui/view/transform_scripts.cpp",
-          "ui/shell/property_scripts.cpp", "ui/shell/file_scripts.cpp"}
+          "ui/shell/property_scripts.cpp", "ui/shell/file_scripts.cpp", "app/scripts/script_file.cpp",
+          "app/scripts/script_session.cpp"}
 # Calls whose literals are not for users, or are translated by the code of their message.
 SILENT = {"HARIKO_ASSERT", "make_error", "make_warning", "static_assert", "getenv", "glfwWindowHintString", "PushID",
           "begin_panel", "FindWindowByName", "OpenPopup", "BeginPopup", "IsPopupOpen", "BeginChild"}

@@ -8,7 +8,7 @@
 #include <numbers>
 
 #include "app/files/reference_facets.hpp"
-#include "core/document/format/format_names.hpp"
+#include "core/document/words.hpp"
 #include "core/modeling/measuring/measured_dimension.hpp"
 #include "core/modeling/surfacing/object_surfacer.hpp"
 
@@ -91,7 +91,7 @@ std::optional<double> finite(double value) {
 DimensionInfo inspect_dimension(const Document& document, const Dimension& dimension,
                                 const SurfaceOf& surfaces) {
   DimensionInfo info;
-  info.kind = detail::name_of(dimension.kind, detail::dimension_names);
+  info.kind = enum_word(dimension.kind);
   for (const Anchor& anchor : dimension.anchors) info.anchors.push_back(anchor_text(document, anchor));
   const auto value = measured(document, dimension, surfaces);
   if (!value) return info;

@@ -7,6 +7,7 @@
 #include "core/analysis/continuity.hpp"
 #include "core/analysis/measures.hpp"
 #include "core/base/text/json_writer.hpp"
+#include "core/document/words.hpp"
 #include "core/modeling/surfacing/surface_input.hpp"
 #include "core/patching/fair/fair_elements.hpp"
 #include "core/patching/quartic/quartic_patch.hpp"
@@ -17,10 +18,6 @@ namespace {
 
 constexpr std::array<std::array<double, 3>, 5> barycentric_samples{
     {{1.0 / 3, 1.0 / 3, 1.0 / 3}, {0.5, 0.5, 0}, {0, 0.5, 0.5}, {0.6, 0.3, 0.1}, {0.1, 0.2, 0.7}}};
-
-const char* mode_name(Mode mode) {
-  return mode == Mode::paper ? "paper" : mode == Mode::target ? "target" : mode == Mode::g2 ? "g2" : "fair";
-}
 
 void write_tangents(JsonWriter& json, const Polyhedron& polyhedron, const Network& network) {
   const HalfEdgeMesh& mesh = polyhedron.topology();
@@ -152,7 +149,7 @@ Result<std::string> evaluation_json(const PolyhedronSource& half) {
   const FairWeights weights = fair_weights(source.mode == Mode::fair ? source.frames : Frames::equal);
   JsonWriter json(1);
   json.object([&] {
-    json.member("mode", mode_name(source.mode));
+    json.member("mode", enum_word(source.mode));
     json.member("mu", weights.curvature_jump);
     json.member("lam", weights.pair_distance);
     json.member("kappa", weights.tension);

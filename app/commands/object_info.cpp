@@ -2,20 +2,18 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "app/commands/console.hpp"
 #include "core/analysis/continuity.hpp"
 #include "core/analysis/measures.hpp"
-#include "core/document/format/format_names.hpp"
+#include "core/document/words.hpp"
 #include "core/envelope/scene_symmetry.hpp"
 #include "core/gaussmap/control_points.hpp"
 #include "core/gaussmap/outline_polyhedron.hpp"
 #include "core/modeling/surfacing/object_surfacer.hpp"
 #include "core/polyhedron/half_edge_mesh.hpp"
 #include "core/polyhedron/validation.hpp"
-#include "core/skinning/local_skin.hpp"
 #include "core/subdivision/mesh_report.hpp"
 #include "core/subdivision/regular_faces.hpp"
 
@@ -70,7 +68,7 @@ std::optional<SurfaceComparison> compare(const Surface& surface, const Object& o
 EnvelopeInfo envelope_info(const EnvelopeSurface& made, const EnvelopeInput& input, double scale) {
   EnvelopeInfo out;
   out.solids = input.solids.size();
-  out.symmetry = detail::name_of(input.settings.symmetry, detail::symmetry_names);
+  out.symmetry = enum_word(input.settings.symmetry);
   out.images = images_of(input).size();
   out.symmetric = made.symmetric;
   out.method = made.network ? "network" : "ball";
@@ -88,30 +86,23 @@ EnvelopeInfo envelope_info(const EnvelopeSurface& made, const EnvelopeInput& inp
   return out;
 }
 
-/// Builds the surface round solids and adds the figures of its network.
-Result<PolyhedronSurface> inspect_solids(const SolidsSource& source, double scale, ObjectInfo& info) {
-  auto made = EnvelopeSurfacer().rebuild(*source.input);
-  if (!made) return made.error();
-  info.envelope = envelope_info(*made, *source.input, scale);
-  if (made->network) {
-    info.vertices = made->network->cage.vertices.size();
-    info.edges = made->network->curves.size();
-    info.faces = made->network->cage.faces.size();
-    info.components = 1;
-    info.genus = 0;
-  }
-  PolyhedronSurface out;
-  out.surface = std::move(made->surface);
-  out.warnings = std::move(made->warnings);
-  return out;
+/// Adds the figures of a surface round solids, and of its network.
+void add_envelope(const EnvelopeSurface& made, const EnvelopeInput& input, double scale, ObjectInfo& info) {
+  info.envelope = envelope_info(made, input, scale);
+  if (!made.network) return;
+  info.vertices = made.network->cage.vertices.size();
+  info.edges = made.network->curves.size();
+  info.faces = made.network->cage.faces.size();
+  info.components = 1;
+  info.genus = 0;
 }
 
-SkinInfo skin_info(const Skin& skin, const SkinSurface& made) {
-  constexpr std::array<const char*, 3> methods{"smooth", "anchored", "pleat"};
-  const SkinMesh& mesh = made.result.mesh;
+SkinInfo skin_info(const SubdivisionPatchSet& patches, const Surface& surface, double scale) {
+  const Skin& skin = patches.skin()->skin;
+  const SkinMesh& mesh = patches.skin()->mesh;
   SkinInfo out;
   out.sections = skin.sections.size();
-  out.method = methods[std::size_t(skin.method)];
+  out.method = enum_word(skin.method);
   out.columns = std::size_t(mesh.grid_columns);
   out.rows = std::size_t(mesh.grid_rows);
   // The border rows of a section belong to both its strips.
@@ -120,26 +111,19 @@ SkinInfo skin_info(const Skin& skin, const SkinSurface& made) {
   out.extraordinary = figures(mesh.control.mesh).extraordinary;
   out.creases = mesh.control.creases.size();
   out.regular_faces = regular_faces(mesh.control).size();
-  const double condition = limit_condition(subdivision_patches(made.surface)->topology());
+  const double condition = limit_condition(patches.topology());
   if (std::isfinite(condition)) out.condition = condition;
-  for (const SectionMiss& miss : section_misses(skin, mesh, made.surface))
-    out.section_miss.push_back(miss.largest);
+  for (const SectionMiss& miss : section_misses(skin, mesh, surface))
+    out.section_miss.push_back(miss.largest * scale);
   return out;
 }
 
-/// Builds the surface over sections and adds the figures of its control mesh.
-Result<PolyhedronSurface> inspect_skin(const Skin& skin, double scale, ObjectInfo& info) {
-  const LocalSkin local = local_skin(skin);
-  auto made = SkinSurfacer().surface(local.skin, local.origin);
-  if (!made) return made.error();
-  info.skin = skin_info(local.skin, *made);
-  for (double& miss : info.skin->section_miss) miss *= scale;
-  if (const auto topology = HalfEdgeMesh::build(made->result.mesh.control.mesh); topology.ok())
+/// Adds the figures of a skin and of its control mesh.
+void add_skin(const Surface& surface, double scale, ObjectInfo& info) {
+  const SubdivisionPatchSet& patches = *subdivision_patches(surface);
+  info.skin = skin_info(patches, surface, scale);
+  if (const auto topology = HalfEdgeMesh::build(patches.skin()->mesh.control.mesh); topology.ok())
     count_topology(*topology, info);
-  PolyhedronSurface out;
-  out.surface = std::move(made.value().surface);
-  out.warnings = std::move(made.value().result.warnings);
-  return out;
 }
 
 /// Adds the figures of an outline's control points; its errors are reported with its surface.
@@ -147,7 +131,7 @@ void inspect_outline(const OutlineSource& source, double scale, ObjectInfo& info
   const auto points = control_points(*source.outline, gauss_options(source.settings));
   if (!points) return;
   OutlineInfo out;
-  out.method = detail::name_of(source.settings.mode, detail::gauss_names);
+  out.method = enum_word(source.settings.mode);
   out.loops = source.outline->loops.size();
   out.points = points->boundary_count;
   out.inserted = points->points.size() - points->boundary_count;
@@ -168,18 +152,15 @@ void inspect_surface(const Document& document, const Object& object, const Docum
     }
   lap("validate");
 
-  auto built = Result<PolyhedronSurface>(PolyhedronSurface{});
-  if (const SolidsSource* solids = object.solids())
-    built = inspect_solids(*solids, scale, info);
-  else if (const SkinSource* skin = object.skin())
-    built = inspect_skin(*skin->skin, scale, info);
-  else
-    built = object_surface(document, object);
+  const auto built = object_surface(document, object);
   lap("rebuild");
   if (!built.ok()) {
     info.messages.push_back(built.error());
     return;
   }
+  if (const auto* made = std::get_if<std::shared_ptr<const EnvelopeSurface>>(&built->details))
+    add_envelope(**made, *object.solids()->input, scale, info);
+  if (object.skin()) add_skin(built->surface, scale, info);
   info.messages.insert(info.messages.end(), built->warnings.begin(), built->warnings.end());
   const Surface& surface = built->surface;
   info.patches = surface.patch_count();

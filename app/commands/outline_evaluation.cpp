@@ -1,7 +1,7 @@
 #include "app/commands/outline_evaluation.hpp"
 
 #include "core/base/text/json_writer.hpp"
-#include "core/document/format/format_names.hpp"
+#include "core/document/words.hpp"
 #include "core/gaussmap/control_points.hpp"
 
 namespace hariko {
@@ -26,8 +26,8 @@ Result<std::string> outline_json(const OutlineSource& source) {
   const CurvatureSign sign = curvature_sign(*source.outline, source.settings.sign);
   JsonWriter json(1);
   json.object([&] {
-    json.member("method", detail::name_of(source.settings.mode, detail::gauss_names));
-    json.member("curvature_sign", detail::name_of(sign, detail::sign_names));
+    json.member("method", enum_word(source.settings.mode));
+    json.member("curvature_sign", enum_word(sign));
     json.member("radius", source.settings.radius);
     json.list("loops", source.outline->loops,
               [&](const OutlineLoop& loop) { json.value(loop.points.size()); });

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <memory>
+#include <vector>
 
 #include "app/commands/commands.hpp"
 #include "app/commands/console.hpp"
@@ -77,9 +78,9 @@ int run_unfold(const UnfoldArguments& arguments) {
   };
   auto facets = model_facets(arguments.file, arguments.facets, arguments.reading);
   if (!facets.ok()) return fail(facets.error());
-  for (const Message& message : facets->warnings) report(file, message);
+  report(file, facets->warnings);
   if (const auto errors = unfolding_errors(facets->mesh); !errors.empty()) {
-    for (const Message& message : errors) report(file, message);
+    report(file, errors);
     return exit_failed;
   }
   PaperSettings settings = arguments.settings;
@@ -94,12 +95,11 @@ int run_unfold(const UnfoldArguments& arguments) {
   const auto unfolded =
       unfold(std::make_shared<const FacetGraph>(std::move(graph).value()), settings, arguments.options);
   if (!unfolded.ok()) return fail(unfolded.error());
-  bool fits = true;
-  for (const Message& message : unfolding_messages(*unfolded)) {
-    report(file, message);
-    fits = fits && message.severity != Severity::error;
-  }
-  if (!fits) return exit_failed;
+  const std::vector<Message> messages = unfolding_messages(*unfolded);
+  report(file, messages);
+  if (std::any_of(messages.begin(), messages.end(),
+                  [](const Message& message) { return message.severity == Severity::error; }))
+    return exit_failed;
   const SheetDrawing drawing = draw_sheets(*unfolded);
   for (const std::filesystem::path& out : arguments.outs)
     if (const auto written = write_sheet_file(out, drawing); !written.ok()) {

@@ -87,6 +87,9 @@ SurfaceView SurfaceBuilder::build(const std::shared_ptr<const Object>& object,
         return view;
       }
       last_ = std::move(made).value();
+      const auto* envelope = std::get_if<std::shared_ptr<const EnvelopeSurface>>(&last_.details);
+      sticks_out_ = envelope ? (*envelope)->sticks_out : std::nullopt;
+      last_.details = {};
       made_from_ = object;
       made_beside_ = neighbours;
       last_quality_ = quality;
@@ -101,7 +104,7 @@ SurfaceView SurfaceBuilder::build(const std::shared_ptr<const Object>& object,
       view.combs = combs_;
     }
     view.warnings = last_.warnings;
-    view.sticks_out = last_.sticks_out;
+    view.sticks_out = sticks_out_;
   } catch (const std::exception& failure) {
     // Mostly out of memory: the document is untouched, and the object shows the error.
     made_from_.reset();
@@ -118,10 +121,10 @@ SurfaceView SurfaceBuilder::build(const std::shared_ptr<const Object>& object,
   return view;
 }
 
-Result<PolyhedronSurface> SurfaceBuilder::surface_of(const Object& object, const ObjectPointers& neighbours,
-                                                     Quality quality, const CancelToken& cancel) {
+Result<ObjectSurface> SurfaceBuilder::surface_of(const Object& object, const ObjectPointers& neighbours,
+                                                 Quality quality, const CancelToken& cancel) {
   if (const MeshSource* mesh = object.mesh()) {
-    PolyhedronSurface out;
+    ObjectSurface out;
     out.surface = facets_of(*mesh);
     out.revision = ++facet_revision_;
     return out;

@@ -19,8 +19,8 @@ class SurfaceBuilder final : public ViewBuilder {
   double progress() const override { return surfacer_.progress().fraction(); }
 
  private:
-  Result<PolyhedronSurface> surface_of(const Object& object, const ObjectPointers& neighbours,
-                                       Quality quality, const CancelToken& cancel);
+  Result<ObjectSurface> surface_of(const Object& object, const ObjectPointers& neighbours, Quality quality,
+                                   const CancelToken& cancel);
 
   MapPlace place_of(const Object& object, const MapSurroundings& surroundings);
   void take_mesh(const Object& object, const MapSurroundings& surroundings, bool fresh, SurfaceView& view,
@@ -30,7 +30,8 @@ class SurfaceBuilder final : public ViewBuilder {
   ObjectSurfacer surfacer_;
   std::shared_ptr<const Object> made_from_;  ///< object from which last_ was made
   ObjectPointers made_beside_;               ///< its neighbours then
-  PolyhedronSurface last_;
+  ObjectSurface last_;
+  std::optional<double> sticks_out_;  ///< protrusion of last_; the rest of an envelope is not kept
   Quality last_quality_ = Quality::drag;
   std::shared_ptr<const DisplayMesh> base_mesh_;  ///< mesh of the whole surface, for revision base_revision_
   std::uint64_t base_revision_ = 0, facet_revision_ = 0;

@@ -4,6 +4,7 @@
 #include <map>
 
 #include "app/files/export_surfaces.hpp"
+#include "app/files/left_out.hpp"
 #include "app/files/open_file.hpp"
 #include "core/approximation/approximate.hpp"
 #include "core/document/edits/edit_paper.hpp"
@@ -211,6 +212,7 @@ Result<ModelFacets> model_facets(const std::filesystem::path& file, const FacetO
     opened.messages.push_back(repaired_message(opened.repair));
   }
   auto facets = document_facets(*document, unfoldable_objects(*document), meshing, cancel);
+  for (Message& warning : left_out_of_triangles(*document)) opened.messages.push_back(std::move(warning));
   if (facets.ok())
     facets.value().warnings.insert(facets.value().warnings.begin(), opened.messages.begin(),
                                    opened.messages.end());

@@ -1,7 +1,9 @@
 #include "app/files/open_file.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
 #include <set>
 #include <utility>
 
@@ -31,6 +33,8 @@ namespace hariko {
 
 namespace {
 
+constexpr Code w_corner_left_out{"W_CORNER_LEFT_OUT"};
+
 Result<PolyhedronSource> imported(const PolygonMesh& mesh) {
   auto source = PolyhedronSource::from_mesh(mesh);
   if (!source) return source;
@@ -52,6 +56,33 @@ Result<Source> source_of(const std::vector<BezierPatch>& patches) {
   return welded.ok() ? Result<Source>(std::move(welded).value()) : welded.error();
 }
 
+/// The repaired mesh of a part, with the part's creases and corners: a repair keeps positions.
+ImportedPart with_marks_of(const ImportedPart& part, PolygonMesh repaired) {
+  using Place = std::array<double, 3>;
+  const auto place = [](const Vector3& p) { return Place{p.x(), p.y(), p.z()}; };
+  const auto place_of = [&](Index v) { return place(part.mesh.positions[v]); };
+  std::set<std::pair<Place, Place>> creases;
+  std::set<Place> corners;
+  for (const auto& [a, b] : part.creases)
+    if (std::max(a, b) < part.mesh.positions.size()) creases.insert(std::minmax({place_of(a), place_of(b)}));
+  for (const Index v : part.corners)
+    if (v < part.mesh.positions.size()) corners.insert(place_of(v));
+  ImportedPart out{std::move(repaired), part.name};
+  std::set<std::array<Index, 2>> found;
+  for (std::size_t f = 0; !creases.empty() && f < out.mesh.face_count(); ++f) {
+    const auto face = out.mesh.face(f);
+    for (std::size_t k = 0; k < face.size(); ++k) {
+      const Index a = face[k], b = face[(k + 1) % face.size()];
+      if (creases.contains(std::minmax({place(out.mesh.positions[a]), place(out.mesh.positions[b])})))
+        found.insert({std::min(a, b), std::max(a, b)});
+    }
+  }
+  out.creases.assign(found.begin(), found.end());
+  for (Index v = 0; !corners.empty() && v < out.mesh.positions.size(); ++v)
+    if (corners.contains(place(out.mesh.positions[v]))) out.corners.push_back(v);
+  return out;
+}
+
 /// Objects of a mesh file: as they are, repaired, and as reference facets where one makes no polyhedron.
 class MeshObjects {
  public:
@@ -59,9 +90,8 @@ class MeshObjects {
 
   void add(ImportedPart part, const std::string& name, bool alone) {
     PolygonMesh& mesh = part.mesh;
-    auto polyhedron = imported(mesh);
+    auto polyhedron = marked(part);
     if (polyhedron.ok()) {
-      polyhedron.value().shaping = shaping_of(part, polyhedron->polyhedron);
       for (auto* document : {&whole_, &repaired_, &reference_}) put(*document, name, polyhedron);
       return;
     }
@@ -70,7 +100,8 @@ class MeshObjects {
     const auto repaired = make_manifold(mesh);
     if (repaired.ok()) add_counts(opened_.repair, repaired->report);
     put(repaired_, name,
-        repaired.ok() ? imported(repaired->mesh) : Result<PolyhedronSource>(repaired.error()));
+        repaired.ok() ? marked(with_marks_of(part, repaired->mesh))
+                      : Result<PolyhedronSource>(repaired.error()));
     put(reference_, name, MeshSource::from_mesh(mesh));
     if (opened_.broken_mesh) return;
     opened_.broken_mesh = std::move(mesh);
@@ -91,6 +122,12 @@ class MeshObjects {
         if (*document && metres_per_unit &&
             std::abs(millimetres_per(unit) / (1000 * *metres_per_unit) - 1) < 1e-9)
           (*document)->unit = unit;
+    if (corners_left_out_ > 0)
+      opened_.messages.push_back(make_warning(
+          w_corner_left_out,
+          std::to_string(corners_left_out_) +
+              " corners at which fewer than two creases meet were left out: the surface is smooth there.",
+          "Crease two or more of their edges, or give the vertices a tension."));
     opened_.document = std::move(whole_);
     if (!opened_.broken_mesh) return;
     opened_.repaired = std::move(repaired_);
@@ -98,17 +135,33 @@ class MeshObjects {
   }
 
  private:
-  /// Creases and corners of a part that made a polyhedron: its vertices have their numbers as ids.
-  static Shaping shaping_of(const ImportedPart& part, const Polyhedron& polyhedron) {
+  /// Polyhedron of a part, with its creases and corners.
+  Result<PolyhedronSource> marked(const ImportedPart& part) {
+    auto out = imported(part.mesh);
+    if (out.ok()) out.value().shaping = shaping_of(part, out->polyhedron);
+    return out;
+  }
+
+  /// Creases and corners of a part that made a polyhedron: its vertices have their numbers as ids. Corners
+  /// inside the surface need two creases, and others are left out and counted.
+  Shaping shaping_of(const ImportedPart& part, const Polyhedron& polyhedron) {
     std::set<EdgeId> creases;
+    std::map<VertexId, int> creases_at;
     for (const auto& [a, b] : part.creases)
-      if (const EdgeId edge = EdgeId::of(VertexId{a}, VertexId{b}); polyhedron.find(edge) != no_index)
-        creases.insert(edge);
+      if (const EdgeId edge = EdgeId::of(VertexId{a}, VertexId{b});
+          polyhedron.find(edge) != no_index && creases.insert(edge).second)
+        ++creases_at[edge.low], ++creases_at[edge.high];
     const std::set<Index> corners(part.corners.begin(), part.corners.end());
     Shaping out;  // in ascending order, which is fast
     for (const EdgeId edge : creases) out.crease.set(edge, true);
-    for (const Index v : corners)
-      if (polyhedron.find(VertexId{v}) != no_index) out.tag.set(VertexId{v}, VertexTag::corner);
+    for (const Index corner : corners) {
+      const Index v = polyhedron.find(VertexId{corner});
+      if (v == no_index) continue;
+      if (polyhedron.topology().is_border_vertex(v) || creases_at[VertexId{corner}] >= 2)
+        out.tag.set(VertexId{corner}, VertexTag::corner);
+      else
+        ++corners_left_out_;
+    }
     return out;
   }
 
@@ -137,6 +190,7 @@ class MeshObjects {
   OpenedFile& opened_;
   std::optional<Document> whole_{Document{}};     ///< while every mesh makes a polyhedron
   std::optional<Document> repaired_, reference_;  ///< used afterwards, as long as they can be made
+  std::size_t corners_left_out_ = 0;
 };
 
 void open_mesh(const std::filesystem::path& file, const CancelToken& cancel, const Progress& progress,

@@ -66,6 +66,7 @@ void ConversionJobs::take(const Object& object, const Result<Made>& made) {
   if (editor_.history.in_gesture()) editor_.cancel_preview();
   DisplaySettings display = now->display;
   display.polyhedron = true;
+  display.points = false;  // a hundred and more, close to each other
   const Document& document = editor_.history.current();
   auto added =
       add_object(document, free_name(document, now->name), Source(made->source), now->transform, display);

@@ -67,6 +67,7 @@ void ExchangeJobs::add_imported(const std::filesystem::path& path, const Documen
   if (!editor_.commit(append_document(before, *fitting),
                       fill(translatable("Import {0}"), {path.filename().string()})))
     return;
+  editor_.tell_script({WrittenCommand{"file.import", {written("path", path.string())}}});
   editor_.selection.clear_elements();
   editor_.selection.active = editor_.document().objects.back()->id;
   editor_.frame_all();

@@ -51,6 +51,16 @@ void visit(AnySettings& s, Visitor& visitor) {
   visitor.flag("invert_wheel", s.invert_wheel);
   visitor.flag("orbit_selection", s.orbit_selection);
   visitor.flag("refine_on_surface", s.refine_on_surface);
+  visitor.flag("snap_vertices", s.snaps.vertices);
+  visitor.flag("snap_midpoints", s.snaps.midpoints);
+  visitor.flag("snap_centres", s.snaps.centres);
+  visitor.flag("snap_intersections", s.snaps.crossings);
+  visitor.flag("snap_perpendicular", s.snaps.perpendicular);
+  visitor.flag("snap_tangent", s.snaps.tangent);
+  visitor.flag("snap_curves", s.snaps.curves);
+  visitor.flag("snap_surfaces", s.snaps.surfaces);
+  visitor.flag("snap_grid", s.snaps.grid);
+  visitor.flag("snap_always", s.snaps.always);
   visitor.number("orbit_speed", s.orbit_speed, 0.05, 20);
   visitor.number("zoom_speed", s.zoom_speed, 0.05, 20);
   visitor.number("autosave_seconds", s.autosave_seconds, 1, Settings::most_autosave_seconds);

@@ -38,26 +38,14 @@ const BarycentricGrid& barycentric_grid(int density) {
 }
 
 Vector3 SurfaceSampler::position(Index patch, const Vector2& parameter) const {
-  return surface_.patches().evaluate(patch, parameter, Order::first).position;
+  return patches().evaluate(patch, parameter, Order::first).position;
 }
 
 Vector3 SurfaceSampler::normal(Index patch, const Vector2& parameter) const {
   PatchPoint point;
-  if (fast_)
-    fast_->first_order(patch, {&parameter, 1}, {&point, 1});
-  else
-    point = surface_.patches().evaluate(patch, parameter, Order::first);
+  patches().first_order(patch, {&parameter, 1}, {&point, 1});
   const Vector3 out = quick_normal(point);
-  return out.isZero(0) ? inner_normal(patch, parameter) : out;
-}
-
-void SurfaceSampler::positions(Index patch, std::span<const Vector2> parameters,
-                               std::span<Vector3> out) const {
-  if (fast_) {
-    fast_->positions(patch, parameters, out);
-    return;
-  }
-  for (std::size_t k = 0; k < parameters.size(); ++k) out[k] = position(patch, parameters[k]);
+  return out.isZero(0) ? patches().inner_normal(patch, parameter) : out;
 }
 
 void SurfaceSampler::normals(Index patch, std::span<const Vector2> parameters, std::span<Vector3> out) const {
@@ -65,23 +53,12 @@ void SurfaceSampler::normals(Index patch, std::span<const Vector2> parameters, s
   std::array<PatchPoint, block> points;
   for (std::size_t begin = 0; begin < parameters.size(); begin += block) {
     const std::size_t count = std::min(block, parameters.size() - begin);
-    if (fast_)
-      fast_->first_order(patch, parameters.subspan(begin, count), {points.data(), count});
-    else
-      for (std::size_t k = 0; k < count; ++k)
-        points[k] = surface_.patches().evaluate(patch, parameters[begin + k], Order::first);
+    patches().first_order(patch, parameters.subspan(begin, count), {points.data(), count});
     for (std::size_t k = 0; k < count; ++k) {
       out[begin + k] = quick_normal(points[k]);
-      if (out[begin + k].isZero(0)) out[begin + k] = inner_normal(patch, parameters[begin + k]);
+      if (out[begin + k].isZero(0)) out[begin + k] = patches().inner_normal(patch, parameters[begin + k]);
     }
   }
-}
-
-Vector3 SurfaceSampler::inner_normal(Index patch, const Vector2& parameter) const {
-  const Vector2 centre =
-      surface_.domain() == Domain::triangle ? Vector2(1.0 / 3, 1.0 / 3) : Vector2(0.5, 0.5);
-  return unit_normal(
-      surface_.patches().evaluate(patch, parameter + 1e-4 * (centre - parameter), Order::first));
 }
 
 }  // namespace hariko

@@ -1,13 +1,12 @@
 #pragma once
 
-// SurfaceSampler: points, normals and hulls of a surface for small parameter triangles, by the fastest way
-// its patches offer.
+// SurfaceSampler: points and normals of a surface for small parameter triangles, by the fastest way its
+// patches offer.
 
 #include <array>
 #include <span>
 #include <vector>
 
-#include "core/surface/facet_evaluation.hpp"
 #include "core/surface/surface.hpp"
 
 namespace hariko {
@@ -28,33 +27,25 @@ const BarycentricGrid& barycentric_grid(int density);
 /// Evaluator of a surface, to which it keeps a reference. Thread-safe.
 class SurfaceSampler {
  public:
-  explicit SurfaceSampler(const Surface& surface)
-      : surface_(surface), fast_(facet_evaluation(surface.patches())) {}
+  explicit SurfaceSampler(const Surface& surface) : surface_(surface) {}
 
   const Surface& surface() const { return surface_; }
+  const PatchSet& patches() const { return surface_.patches(); }
 
   Vector3 position(Index patch, const Vector2& parameter) const;
   /// Unit normal; where it is undefined, that of a point 1e-4 of the domain further inside. Zero if both
   /// fail.
   Vector3 normal(Index patch, const Vector2& parameter) const;
-  void positions(Index patch, std::span<const Vector2> parameters, std::span<Vector3> out) const;
+  void positions(Index patch, std::span<const Vector2> parameters, std::span<Vector3> out) const {
+    patches().positions(patch, parameters, out);
+  }
   void normals(Index patch, std::span<const Vector2> parameters, std::span<Vector3> out) const;
   PatchPoint second_order(Index patch, const Vector2& parameter) const {
-    return surface_.patches().evaluate(patch, parameter, Order::second);
-  }
-
-  /// Degree of the hull, 0 where the patch has no bound; see FacetEvaluation.
-  int hull_degree(Index patch) const { return fast_ ? fast_->hull_degree(patch) : 0; }
-  void hull(Index patch, const ParameterTriangle& triangle, std::span<const Vector3> samples,
-            std::span<HullBall> out) const {
-    fast_->hull(patch, triangle, samples, out);
+    return patches().evaluate(patch, parameter, Order::second);
   }
 
  private:
-  Vector3 inner_normal(Index patch, const Vector2& parameter) const;
-
   const Surface& surface_;
-  const FacetEvaluation* fast_;
 };
 
 }  // namespace hariko

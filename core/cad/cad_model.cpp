@@ -8,11 +8,6 @@
 #include "core/base/parallel.hpp"
 #include "core/cad/cad_edges.hpp"
 #include "core/cad/cad_faces.hpp"
-#include "core/g2/g2_patch_set.hpp"
-#include "core/patching/quartic/quartic_patch.hpp"
-#include "core/subdivision/subdivision_surface.hpp"
-#include "core/surface/bicubic_patch.hpp"
-#include "core/surface/tensor_bezier.hpp"
 
 namespace hariko {
 
@@ -23,14 +18,17 @@ constexpr int cubic = 3, quartic_degree = 4, quintic = 5;
 /// a lower bound of it.
 constexpr double turn_share = 20, least_turn = 2 * std::numbers::pi / 180;
 
+template <class Form>
+bool has_form(const Surface& surface) {
+  return std::holds_alternative<Form>(surface.patches().exact_form(0));
+}
+
 /// Whether the patches may be ordinary quartics: their inner points coincide in pairs, nearly.
 bool may_be_quartics(const Surface& surface, double size) {
-  const auto* patches = dynamic_cast<const QuarticPatchSet*>(&surface.patches());
-  if (!patches) return false;
-  for (Index p = 0; p < patches->patch_count(); ++p) {
-    const auto& control = patches->patch(p).control;
-    for (const std::size_t k : {quartic::d211w, quartic::d121w, quartic::d112v})
-      if ((control[k] - control[k + 1]).norm() > 1e-9 * size) return false;
+  for (Index p = 0; p < surface.patch_count(); ++p) {
+    const ExactForm form = surface.patches().exact_form(p);
+    const auto* quartic = std::get_if<PairedQuartic>(&form);
+    if (!quartic || quartic->pair_distance > 1e-9 * size) return false;
   }
   return true;
 }
@@ -44,12 +42,10 @@ struct Attempt {
 /// by whatever weighs least. Attempts end as soon as they weigh more than those before; first come cubics of
 /// single patches, whose time is bounded however tight the tolerance is.
 std::vector<Attempt> attempts_for(const Surface& surface, const CadModelOptions& options) {
-  const PatchSet* patches = &surface.patches();
-  if (subdivision_patches(surface) || dynamic_cast<const BicubicPatchSet*>(patches))
+  if (has_form<SubdivisionPatch>(surface) || has_form<BicubicPatch>(surface))
     return {{CadPieces::faces, cubic}};
-  if (const auto* bezier = dynamic_cast<const BezierPatchSet*>(patches))
-    if (const auto degree = bezier_degree(*bezier)) return {{CadPieces::faces, *degree}};
-  if (dynamic_cast<const G2PatchSet*>(patches)) return {{CadPieces::faces, quintic, true}};
+  if (const auto degree = bezier_degree(bezier_patches(surface))) return {{CadPieces::faces, *degree}};
+  if (has_form<ChartPatch>(surface)) return {{CadPieces::faces, quintic, true}};
   if (surface.domain() == Domain::square)
     return {{CadPieces::faces, cubic}, {CadPieces::faces, quintic, true}};
   if (options.whole_faces) return {{CadPieces::faces, quintic, true}};
@@ -157,7 +153,7 @@ class Maker {
     out.faces = std::move(faces);
     out.pieces = pieces_;
     for (Index f = 0; f < out.faces.size(); ++f) out.faces[f].sides = edges.sides(f);
-    out.curvature = dynamic_cast<const G2PatchSet*>(&surface_.patches()) != nullptr;
+    out.curvature = has_form<ChartPatch>(surface_);
     measure_edges(out);
     return out;
   }
@@ -179,13 +175,12 @@ bool CadModel::closed() const {
 }
 
 std::string_view why_not_exact(const Surface& surface) {
-  const PatchSet* patches = &surface.patches();
-  if (dynamic_cast<const QuarticPatchSet*>(patches))
+  if (has_form<PairedQuartic>(surface))
     return "rational triangles, whose inner points do not coincide in pairs";
-  if (dynamic_cast<const G2PatchSet*>(patches)) return "rational patches of mode G2";
-  if (subdivision_patches(surface))
+  if (has_form<ChartPatch>(surface)) return "rational patches of mode G2";
+  if (has_form<SubdivisionPatch>(surface))
     return "patches round extraordinary vertices, which are endless rows of splines";
-  if (dynamic_cast<const BezierPatchSet*>(patches)) return "rational patches, or such of a degree above 9";
+  if (has_form<BezierPatch>(surface)) return "rational patches, or such of a degree above 9";
   return "rational patches";
 }
 

@@ -71,7 +71,7 @@ struct CadModelOptions {
 inline constexpr double exact_face = 1e-12;
 
 /// Reason, in a few words ("rational triangles ..."), why faces of a surface that are no splines of the
-/// degree in use are not exact.
+/// degree in use are not exact. The surface has patches.
 std::string_view why_not_exact(const Surface& surface);
 
 /// CAD model of a surface. Patches that are not splines of the degree in use, or would weigh more exactly

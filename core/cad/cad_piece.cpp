@@ -3,17 +3,19 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <numbers>
 
 #include "core/base/assert.hpp"
-#include "core/g2/g2_patch_set.hpp"
 
 namespace hariko {
 
 namespace {
 
-const G2PatchSet* g2_patches(const Surface& surface) {
-  return dynamic_cast<const G2PatchSet*>(&surface.patches());
+const ChartEvaluation* charts_of(const Surface& surface) {
+  const ExactForm form = surface.patches().exact_form(0);
+  const auto* chart = std::get_if<ChartPatch>(&form);
+  return chart ? chart->charts : nullptr;
 }
 
 /// Point of a cell's bilinear map, with its derivatives.
@@ -84,24 +86,22 @@ void add_polygon(const std::vector<Index>& patches, const std::vector<Vector2>& 
   }
 }
 
-std::vector<CadPiece> chart_pieces(const G2PatchSet& patches) {
-  const G2Atlas& atlas = *patches.atlas();
-  std::vector<std::vector<Index>> of_face(atlas.chart.size());
+std::vector<CadPiece> chart_pieces(const PatchSet& patches, const ChartEvaluation& charts) {
+  std::map<Index, std::map<int, Index>> faces;  // patch of each side of each face
   for (Index p = 0; p < patches.patch_count(); ++p) {
-    auto& list = of_face[atlas.face[p]];
-    list.resize(std::size_t(atlas.chart[atlas.face[p]]->sides()), no_index);
-    list[std::size_t(atlas.side[p])] = p;
+    const auto chart = std::get<ChartPatch>(patches.exact_form(p));
+    faces[chart.face][chart.side] = p;
   }
   std::vector<CadPiece> out;
   Index inner = 0;
-  for (Index f = 0; f < of_face.size(); ++f) {
+  for (const auto& [face, of_side] : faces) {
     CadCell cell;
-    cell.patch = f;
+    cell.patch = face;
     cell.chart = true;
-    std::vector<Vector2> vertices;
-    for (int k = 0; k < atlas.chart[f]->sides(); ++k) vertices.push_back(atlas.chart[f]->vertex(k));
-    add_polygon(of_face[f], vertices, cell, inner, out);
-    inner += Index(of_face[f].size());
+    std::vector<Index> own;
+    for (const auto& [side, patch] : of_side) own.push_back(patch);
+    add_polygon(own, charts.polygon(face), cell, inner, out);
+    inner += Index(own.size());
   }
   return out;
 }
@@ -216,7 +216,7 @@ Vector2 CadPiece::parameter(int side, double x) const {
 
 std::vector<CadPiece> cad_pieces(const Surface& surface, CadPieces which) {
   if (surface.patch_count() == 0) return {};
-  if (const G2PatchSet* g2 = g2_patches(surface)) return chart_pieces(*g2);
+  if (const ChartEvaluation* charts = charts_of(surface)) return chart_pieces(surface.patches(), *charts);
   if (surface.domain() == Domain::square) return merged_squares(surface);
   if (which == CadPieces::faces) return fan_pieces(surface);
   std::vector<CadPiece> out;
@@ -225,18 +225,15 @@ std::vector<CadPiece> cad_pieces(const Surface& surface, CadPieces which) {
 }
 
 PieceEvaluator::PieceEvaluator(const Surface& surface, const CadPiece& piece)
-    : patches_(&surface.patches()),
-      fast_(facet_evaluation(surface.patches())),
-      charts_(g2_patches(surface)),
-      piece_(&piece) {
+    : patches_(&surface.patches()), charts_(charts_of(surface)), piece_(&piece) {
   const std::size_t n = piece.cells.front().fan.size();
   for (std::size_t k = 0; k < n; ++k) polygon_.push_back(fan_vertex(k, n));
 }
 
 PatchPoint PieceEvaluator::patch_point(Index patch, const Vector2& at, Order order) const {
-  if (!fast_ || order == Order::second) return patches_->evaluate(patch, at, order);
+  if (order == Order::second) return patches_->evaluate(patch, at, order);
   PatchPoint out;
-  fast_->first_order(patch, {&at, 1}, {&out, 1});
+  patches_->first_order(patch, {&at, 1}, {&out, 1});
   return out;
 }
 

@@ -6,13 +6,9 @@
 #include <optional>
 #include <vector>
 
-#include "core/surface/facet_evaluation.hpp"
 #include "core/surface/surface.hpp"
-#include "core/surface/tensor_bezier.hpp"
 
 namespace hariko {
-
-class G2PatchSet;
 
 /// Part of a patch's side, or of a curve inside a patch that two pieces share; for such a curve `side.patch`
 /// is no_index and `inner` its number. begin < end means along it.
@@ -72,9 +68,11 @@ enum class CadPieces {
 /// meets itself. O(patches).
 std::vector<CadPiece> cad_pieces(const Surface& surface, CadPieces which = CadPieces::faces);
 
-/// Degree of a spline that can hold all patches: their largest degree in s or t. Nothing where a patch is
-/// rational.
-std::optional<int> bezier_degree(const BezierPatchSet& patches);
+/// Patches of a surface of Bezier patches; none for other surfaces.
+std::vector<BezierPatch> bezier_patches(const Surface& surface);
+/// Degree of a spline that can hold all patches: their largest degree in s or t. Nothing where there are
+/// none, one is rational, or the degree is too high.
+std::optional<int> bezier_degree(const std::vector<BezierPatch>& patches);
 
 /// Evaluates points of one piece, with derivatives by s and t. The surface and the piece must outlive it.
 /// Thread-safe.
@@ -89,8 +87,7 @@ class PieceEvaluator {
   PatchPoint fan_point(const CadCell& cell, const Vector2& at, Order order) const;
 
   const PatchSet* patches_;
-  const FacetEvaluation* fast_;  ///< fast evaluation of the same patches; null where they have none
-  const G2PatchSet* charts_;
+  const ChartEvaluation* charts_;  ///< null where the patches have none
   const CadPiece* piece_;
   std::vector<Vector2> polygon_;  ///< corners of the fan's polygon
 };

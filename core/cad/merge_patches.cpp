@@ -7,12 +7,11 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <utility>
 
 #include "core/cad/cad_piece.hpp"
 #include "core/cad/fit/bezier_joint.hpp"
 #include "core/cad/fit/spline.hpp"
-#include "core/subdivision/subdivision_surface.hpp"
-#include "core/surface/bicubic_patch.hpp"
 
 namespace hariko {
 
@@ -64,14 +63,12 @@ class Merger {
  public:
   explicit Merger(const Surface& surface)
       : surface_(surface),
-        bezier_(dynamic_cast<const BezierPatchSet*>(&surface.patches())),
+        bezier_(bezier_patches(surface)),
+        degree_(bezier_degree(bezier_).value_or(0)),
         across_(4 * surface.patch_count()),
         width_(4 * surface.patch_count(), 1),
         neighbours_(4 * surface.patch_count()) {
-    if (bezier_) {
-      degree_ = bezier_degree(*bezier_).value_or(0);
-      rounding_ = rounding_of(surface);
-    }
+    if (!bezier_.empty()) rounding_ = rounding_of(surface);
     for (const Seam& seam : surface.seams()) {
       neighbours_[slot(seam.first)].push_back(seam.second.patch);
       neighbours_[slot(seam.second)].push_back(seam.first.patch);
@@ -133,20 +130,19 @@ class Merger {
 
   /// Whether the patch is one polynomial of the surface's degree.
   bool spline(Index patch) const {
-    if (bezier_)
-      return bezier_->patch(patch).degree_s == degree_ && bezier_->patch(patch).degree_t == degree_;
-    if (const SubdivisionPatchSet* set = subdivision_patches(surface_))
-      return set->topology().polynomial(patch);
-    return dynamic_cast<const BicubicPatchSet*>(&surface_.patches()) != nullptr;
+    if (!bezier_.empty()) return bezier_[patch].degree_s == degree_ && bezier_[patch].degree_t == degree_;
+    const ExactForm form = surface_.patches().exact_form(patch);
+    const auto* subdivided = std::get_if<SubdivisionPatch>(&form);
+    return subdivided ? subdivided->bicubic : std::holds_alternative<BicubicPatch>(form);
   }
 
   /// Width of the second patch across their seam where the first is 1 wide; nothing where they are not pieces
   /// of one spline.
   std::optional<double> width_across(const Seam& seam) const {
     if (seam.intended == Continuity::g0) return {};
-    if (bezier_)
-      return spline_joint(bezier_->patch(seam.first.patch), seam.first.side,
-                          bezier_->patch(seam.second.patch), seam.second.side, rounding_);
+    if (!bezier_.empty())
+      return spline_joint(bezier_[seam.first.patch], seam.first.side, bezier_[seam.second.patch],
+                          seam.second.side, rounding_);
     return smooth(seam) ? std::optional(1.0) : std::nullopt;
   }
 
@@ -282,7 +278,7 @@ class Merger {
       }
       piece.cells.push_back(cell);
     }
-    if (bezier_)
+    if (!bezier_.empty())
       for (int side = 0; side < 4; ++side) piece.side_knots[std::size_t(side)] = side_knots(piece, side);
     out.push_back(std::move(piece));
   }
@@ -296,8 +292,8 @@ class Merger {
       const PatchSide before = piece.cell(side, at - 1).sides[std::size_t(side)].side,
                       behind = piece.cell(side, at).sides[std::size_t(side)].side;
       const double ratio = (breaks[at + 1] - breaks[at]) / (breaks[at] - breaks[at - 1]);
-      if (!one_polynomial(bezier_->patch(before.patch), before.side, bezier_->patch(behind.patch),
-                          behind.side, ratio, rounding_))
+      if (!one_polynomial(bezier_[before.patch], before.side, bezier_[behind.patch], behind.side, ratio,
+                          rounding_))
         out.push_back(breaks[at]);
     }
     out.push_back(breaks.back());
@@ -341,8 +337,8 @@ class Merger {
   }
 
   const Surface& surface_;
-  const BezierPatchSet* bezier_;  ///< the surface's patches where they are Bezier patches, else null
-  int degree_ = 0;                ///< degree of Bezier patches that may be joined
+  std::vector<BezierPatch> bezier_;  ///< patches of a surface of Bezier patches, else none
+  int degree_;                       ///< degree of Bezier patches that may be joined
   double rounding_ = 0;
   std::vector<PatchSide> across_;  ///< patch side beyond each side, where both are one spline
   std::vector<double> width_;      ///< width of that patch across the side, where the own one is 1
@@ -353,10 +349,18 @@ class Merger {
 
 }  // namespace
 
-std::optional<int> bezier_degree(const BezierPatchSet& patches) {
-  int degree = 1;
-  for (Index p = 0; p < patches.patch_count(); ++p) {
-    const BezierPatch& patch = patches.patch(p);
+std::vector<BezierPatch> bezier_patches(const Surface& surface) {
+  std::vector<BezierPatch> out;
+  for (Index p = 0; p < surface.patch_count(); ++p) {
+    ExactForm form = surface.patches().exact_form(p);
+    if (auto* patch = std::get_if<BezierPatch>(&form)) out.push_back(std::move(*patch));
+  }
+  return out;
+}
+
+std::optional<int> bezier_degree(const std::vector<BezierPatch>& patches) {
+  int degree = patches.empty() ? max_spline_degree + 1 : 1;
+  for (const BezierPatch& patch : patches) {
     if (patch.rational()) return {};
     degree = std::max({degree, patch.degree_s, patch.degree_t});
   }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <variant>
 
 #include "core/polyhedron/validation.hpp"
 
@@ -9,99 +10,113 @@ namespace hariko {
 
 namespace {
 
-Result<Done> scale_positions(Polyhedron& polyhedron, double factor) {
-  std::vector<Vector3> positions = polyhedron.positions();
-  std::vector<Index> indices(positions.size());
-  std::iota(indices.begin(), indices.end(), Index{0});
-  for (Vector3& position : positions) position *= factor;
-  auto scaled = polyhedron.with_positions(indices, positions);
-  if (!scaled.ok()) return scaled.error();
-  polyhedron = std::move(scaled).value();
-  return Done{};
-}
+/// Multiplication of all lengths of a source. Errors: those of the checks of the kind.
+struct Scale {
+  double factor;
 
-/// Scales the frozen sides, which lie in the object's space.
-void scale_attachments(PolyhedronSource& source, double factor) {
-  Attachments scaled = *source.attachments;
-  for (const auto& [edge, attachment] : *source.attachments) {
-    if (!attachment.frozen) continue;
-    Attachment changed = attachment;
-    for (auto* rows : {&changed.frozen->curve, &changed.frozen->row})
-      for (Vector3& point : *rows) point *= factor;
-    scaled.set(edge, changed);
+  Result<Done> operator()(PolyhedronSource& source) const {
+    if (const auto scaled = positions(source.polyhedron); !scaled) return scaled.error();
+    source.origin *= factor;
+    attachments(source);
+    if (source.mirror) source.mirror->weld_distance *= factor;
+    if (source.shaping->pin.empty()) return Done{};
+    Shaping shaping = *source.shaping;
+    FlatMap<VertexId, Pin> pins;
+    for (const auto& [id, pin] : shaping.pin) {
+      Pin scaled_pin = pin;
+      if (pin.kind == Pin::Kind::tangents) points(scaled_pin.vectors);
+      pins.set(id, std::move(scaled_pin));
+    }
+    shaping.pin = std::move(pins);
+    source.shaping = std::move(shaping);
+    return Done{};
   }
-  if (!(scaled == *source.attachments)) source.attachments = std::move(scaled);
-}
-
-Result<Done> scale_polyhedron(PolyhedronSource& source, double factor) {
-  if (const auto scaled = scale_positions(source.polyhedron, factor); !scaled) return scaled.error();
-  source.origin *= factor;
-  scale_attachments(source, factor);
-  if (source.mirror) source.mirror->weld_distance *= factor;
-  if (source.shaping->pin.empty()) return Done{};
-  Shaping shaping = *source.shaping;
-  FlatMap<VertexId, Pin> pins;
-  for (const auto& [id, pin] : shaping.pin) {
-    Pin scaled_pin = pin;
-    if (pin.kind == Pin::Kind::tangents)
-      for (Vector3& vector : scaled_pin.vectors) vector *= factor;
-    pins.set(id, std::move(scaled_pin));
+  Result<Done> operator()(MeshSource& source) const {
+    PolygonMesh mesh = *source.mesh;
+    points(mesh.positions);
+    source.mesh = std::move(mesh);
+    source.origin *= factor;
+    return Done{};
   }
-  shaping.pin = std::move(pins);
-  source.shaping = std::move(shaping);
-  return Done{};
-}
-
-void scale_mesh(MeshSource& source, double factor) {
-  PolygonMesh mesh = *source.mesh;
-  for (Vector3& position : mesh.positions) position *= factor;
-  source.mesh = std::move(mesh);
-  source.origin *= factor;
-}
-
-Result<Done> scale_patches(BezierSource& source, double factor) {
-  std::vector<BezierPatch> patches = *source.patches;
-  for (BezierPatch& patch : patches)
-    for (Vector3& point : patch.points) point *= factor;
-  auto scaled = BezierSource::from_patches(factor * source.origin, std::move(patches));
-  if (!scaled.ok()) return scaled.error();
-  BezierSource result = std::move(scaled).value();
-  result.kept = source.kept;
-  source = std::move(result);
-  return Done{};
-}
-
-void scale_solids(SolidsSource& source, double factor) {
-  EnvelopeInput input = *source.input;
-  for (Solid& solid : input.solids) {
-    for (double* length : {&solid.radius, &solid.height, &solid.length, &solid.tube}) *length *= factor;
-    solid.size *= factor;
-    solid.position *= factor;
-    for (Vector3& point : solid.points) point *= factor;
-    if (solid.bridge && solid.bridge->ball_radius) *solid.bridge->ball_radius *= factor;
+  Result<Done> operator()(PatchSource& source) const {
+    source.origin *= factor;
+    return positions(source.net);
   }
-  input.settings.clearance *= factor;
-  input.settings.rounding *= factor;
-  if (input.settings.ball_radius) *input.settings.ball_radius *= factor;
-  source.input = std::move(input);
-}
-
-void scale_skin(SkinSource& source, double factor) {
-  Skin skin = *source.skin;
-  change_positions(skin, [&](Vector3& position) { position *= factor; });
-  if (skin.mirror) skin.mirror->position *= factor;
-  source.skin = std::move(skin);
-}
-
-void scale_outline(OutlineSource& source, double factor) {
-  Outline outline = *source.outline;
-  for (OutlineLoop& loop : outline.loops) {
-    for (Vector3& point : loop.points) point *= factor;
-    for (double& curvature : loop.curvature) curvature /= factor * factor;
+  Result<Done> operator()(BezierSource& source) const {
+    std::vector<BezierPatch> patches = *source.patches;
+    for (BezierPatch& patch : patches) points(patch.points);
+    auto scaled = BezierSource::from_patches(factor * source.origin, std::move(patches));
+    if (!scaled.ok()) return scaled.error();
+    scaled.value().kept = source.kept;
+    source = std::move(scaled).value();
+    return Done{};
   }
-  source.outline = std::move(outline);
-  if (source.settings.gap) *source.settings.gap *= factor;
-}
+  Result<Done> operator()(SolidsSource& source) const {
+    EnvelopeInput input = *source.input;
+    for (Solid& solid : input.solids) {
+      for (double* length : {&solid.radius, &solid.height, &solid.length, &solid.tube}) *length *= factor;
+      solid.size *= factor;
+      solid.position *= factor;
+      points(solid.points);
+      if (solid.bridge && solid.bridge->ball_radius) *solid.bridge->ball_radius *= factor;
+    }
+    input.settings.clearance *= factor;
+    input.settings.rounding *= factor;
+    if (input.settings.ball_radius) *input.settings.ball_radius *= factor;
+    source.input = std::move(input);
+    return check_envelope(*source.input);
+  }
+  Result<Done> operator()(SkinSource& source) const {
+    Skin skin = *source.skin;
+    change_positions(skin, [this](Vector3& position) { position *= factor; });
+    if (skin.mirror) skin.mirror->position *= factor;
+    source.skin = std::move(skin);
+    return Done{};
+  }
+  Result<Done> operator()(OutlineSource& source) const {
+    Outline outline = *source.outline;
+    for (OutlineLoop& loop : outline.loops) {
+      points(loop.points);
+      for (double& curvature : loop.curvature) curvature /= factor * factor;
+    }
+    source.outline = std::move(outline);
+    if (source.settings.gap) *source.settings.gap *= factor;
+    return Done{};
+  }
+  Result<Done> operator()(PictureSource& source) const {
+    source.width *= factor;
+    return check_picture(source);
+  }
+  Result<Done> operator()(UnknownSource&) const { return Done{}; }
+
+ private:
+  template <class Points>
+  void points(Points& all) const {
+    for (Vector3& point : all) point *= factor;
+  }
+  Result<Done> positions(Polyhedron& polyhedron) const {
+    std::vector<Vector3> all = polyhedron.positions();
+    std::vector<Index> indices(all.size());
+    std::iota(indices.begin(), indices.end(), Index{0});
+    points(all);
+    auto scaled = polyhedron.with_positions(indices, all);
+    if (!scaled.ok()) return scaled.error();
+    polyhedron = std::move(scaled).value();
+    return Done{};
+  }
+  /// Scales the frozen sides, which lie in the object's space.
+  void attachments(PolyhedronSource& source) const {
+    Attachments scaled = *source.attachments;
+    for (const auto& [edge, attachment] : *source.attachments) {
+      if (!attachment.frozen) continue;
+      Attachment changed = attachment;
+      points(changed.frozen->curve);
+      points(changed.frozen->row);
+      scaled.set(edge, changed);
+    }
+    if (!(scaled == *source.attachments)) source.attachments = std::move(scaled);
+  }
+};
 
 /// Scales the points that are numbers; what names an element follows it.
 Dimensions scaled_dimensions(Dimensions dimensions, double factor) {
@@ -137,26 +152,7 @@ Result<Document> convert_unit(const Document& document, Unit unit) {
   for (auto& shared : result.objects) {
     Object object = *shared;
     object.transform.translation *= factor;
-    if (auto* polyhedron = std::get_if<PolyhedronSource>(&object.source)) {
-      if (const auto scaled = scale_polyhedron(*polyhedron, factor); !scaled.ok()) return scaled.error();
-    } else if (auto* mesh = std::get_if<MeshSource>(&object.source)) {
-      scale_mesh(*mesh, factor);
-    } else if (auto* patches = std::get_if<PatchSource>(&object.source)) {
-      if (const auto scaled = scale_positions(patches->net, factor); !scaled.ok()) return scaled.error();
-      patches->origin *= factor;
-    } else if (auto* bezier = std::get_if<BezierSource>(&object.source)) {
-      if (const auto scaled = scale_patches(*bezier, factor); !scaled.ok()) return scaled.error();
-    } else if (auto* solids = std::get_if<SolidsSource>(&object.source)) {
-      scale_solids(*solids, factor);
-      if (const auto checked = check_envelope(*solids->input); !checked.ok()) return checked.error();
-    } else if (auto* skin = std::get_if<SkinSource>(&object.source)) {
-      scale_skin(*skin, factor);
-    } else if (auto* outline = std::get_if<OutlineSource>(&object.source)) {
-      scale_outline(*outline, factor);
-    } else if (auto* picture = std::get_if<PictureSource>(&object.source)) {
-      picture->width *= factor;
-      if (const auto checked = check_picture(*picture); !checked) return checked.error();
-    }
+    if (const auto scaled = std::visit(Scale{factor}, object.source); !scaled) return scaled.error();
     if (!object.transform.translation.allFinite())
       return make_error(e_nonfinite, "An object would lie infinitely far away.", "Choose another unit.");
     shared = std::make_shared<const Object>(std::move(object));

@@ -3,22 +3,12 @@
 #include <algorithm>
 
 #include "core/base/text/sanitized_utf8.hpp"
+#include "core/document/words.hpp"
 
 namespace hariko {
 
 std::string_view to_string(Unit unit) {
-  switch (unit) {
-    case Unit::millimetre:
-      return "mm";
-    case Unit::centimetre:
-      return "cm";
-    case Unit::metre:
-      return "m";
-    case Unit::inch:
-      return "in";
-  }
-  HARIKO_ASSERT(false, "unit out of range");
-  return {};
+  return enum_word(unit);
 }
 
 double millimetres_per(Unit unit) {

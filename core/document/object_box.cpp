@@ -1,57 +1,71 @@
 #include "core/document/object_box.hpp"
 
+#include <variant>
+
 namespace hariko {
 
 namespace {
 
-/// Calls visit(point) with points of the object's own space whose bounding box is that of its source.
-template <class Visit>
-void visit_points(const Object& object, Visit&& visit) {
-  if (const Polyhedron* cage = object.cage()) {
-    const Vector3 origin = object.cage_origin();
-    const Mirror* mirror =
-        object.polyhedron() && object.polyhedron()->mirror ? &*object.polyhedron()->mirror : nullptr;
-    for (Index v = 0; v < cage->vertex_count(); ++v) {
-      Vector3 point = origin + cage->position(v);
-      visit(point);
-      if (!mirror) continue;
-      point[index_of(mirror->axis)] *= -1;
-      visit(point);
+/// Box in the document's space round the points of a source, and round what a live mirror or a plane of
+/// symmetry adds.
+struct WorldBox {
+  const Similarity& transform;
+  Eigen::AlignedBox3d box = {};
+
+  void add(const Vector3& point) { box.extend(transform.apply(point)); }
+  void add_image(Vector3 point, Eigen::Index axis) {
+    point[axis] *= -1;
+    add(point);
+  }
+
+  void operator()(const PolyhedronSource& source) {
+    for (Index v = 0; v < source.polyhedron.vertex_count(); ++v) {
+      const Vector3 point = source.origin + source.polyhedron.position(v);
+      add(point);
+      if (source.mirror) add_image(point, index_of(source.mirror->axis));
     }
-  } else if (const MeshSource* mesh = object.mesh()) {
-    for (const Vector3& position : mesh->mesh->positions) visit(mesh->origin + position);
-  } else if (const BezierSource* bezier = object.bezier()) {
-    for (const BezierPatch& patch : *bezier->patches)
-      for (const Vector3& point : patch.points) visit(bezier->origin + point);
-  } else if (const SolidsSource* solids = object.solids()) {
-    const SymmetryPlane plane = solids->input->settings.symmetry;
-    for (const Solid& solid : solids->input->solids) {
-      const Eigen::AlignedBox3d box = box_of(solid);
+  }
+  void operator()(const MeshSource& source) {
+    for (const Vector3& position : source.mesh->positions) add(source.origin + position);
+  }
+  void operator()(const PatchSource& source) {
+    for (Index v = 0; v < source.net.vertex_count(); ++v) add(source.origin + source.net.position(v));
+  }
+  void operator()(const BezierSource& source) {
+    for (const BezierPatch& patch : *source.patches)
+      for (const Vector3& point : patch.points) add(source.origin + point);
+  }
+  void operator()(const SolidsSource& source) {
+    const SymmetryPlane plane = source.input->settings.symmetry;
+    for (const Solid& solid : source.input->solids) {
+      const Eigen::AlignedBox3d own = box_of(solid);
       for (int i = 0; i < 8; ++i) {
-        Vector3 corner = box.corner(static_cast<Eigen::AlignedBox3d::CornerType>(i));
-        visit(corner);
-        if (plane == SymmetryPlane::none) continue;
-        corner[static_cast<Eigen::Index>(plane) - 1] *= -1;
-        visit(corner);
+        const Vector3 corner = own.corner(static_cast<Eigen::AlignedBox3d::CornerType>(i));
+        add(corner);
+        if (plane != SymmetryPlane::none) add_image(corner, static_cast<Eigen::Index>(plane) - 1);
       }
     }
-  } else if (const SkinSource* skin = object.skin()) {
-    Skin all = *skin->skin;
-    change_positions(all, [&](const Vector3& point) { visit(point); });
-  } else if (const OutlineSource* outline = object.outline()) {
-    for (const OutlineLoop& loop : outline->outline->loops)
-      for (const Vector3& point : loop.points) visit(point);
-  } else if (const PictureSource* picture = object.picture()) {
-    for (const Vector3& corner : picture->corners()) visit(corner);
   }
-}
+  void operator()(const SkinSource& source) {
+    Skin all = *source.skin;
+    change_positions(all, [this](const Vector3& point) { add(point); });
+  }
+  void operator()(const OutlineSource& source) {
+    for (const OutlineLoop& loop : source.outline->loops)
+      for (const Vector3& point : loop.points) add(point);
+  }
+  void operator()(const PictureSource& source) {
+    for (const Vector3& corner : source.corners()) add(corner);
+  }
+  void operator()(const UnknownSource&) {}
+};
 
 }  // namespace
 
 Eigen::AlignedBox3d world_box(const Object& object) {
-  Eigen::AlignedBox3d box;
-  visit_points(object, [&](const Vector3& point) { box.extend(object.transform.apply(point)); });
-  return box;
+  WorldBox out{object.transform};
+  std::visit(out, object.source);
+  return out.box;
 }
 
 }  // namespace hariko

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "core/base/result.hpp"
 #include "core/base/vector.hpp"
@@ -40,6 +41,7 @@ struct PictureLook {
 /// Picture as a rectangle centred at the object's origin, x to the right, y up, seen from +z; visible from
 /// behind as well. Invariants (`check_picture`): a path of valid UTF-8, at least one pixel, a positive width.
 struct PictureSource {
+  static constexpr std::string_view kind = "picture";
   /// Path of the file: absolute in memory, relative to the document's folder in the document's file, with
   /// "/". If the bytes are packed, only the original file name.
   std::string path;

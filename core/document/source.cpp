@@ -122,16 +122,4 @@ Result<BezierSource> BezierSource::from_patches(std::vector<BezierPatch> patches
   return from_patches(origin, std::move(patches));
 }
 
-std::string_view kind_of(const Source& source) {
-  if (std::holds_alternative<PolyhedronSource>(source)) return "polyhedron";
-  if (std::holds_alternative<MeshSource>(source)) return "mesh";
-  if (std::holds_alternative<PatchSource>(source)) return "patches";
-  if (std::holds_alternative<BezierSource>(source)) return "bezier";
-  if (std::holds_alternative<SolidsSource>(source)) return "solids";
-  if (std::holds_alternative<SkinSource>(source)) return "skin";
-  if (std::holds_alternative<OutlineSource>(source)) return "outline";
-  if (std::holds_alternative<PictureSource>(source)) return "picture";
-  return std::get<UnknownSource>(source).kind;
-}
-
 }  // namespace hariko

@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -29,6 +30,7 @@ inline constexpr Code e_patch_grid{"E_PATCH_GRID"};
 
 /// Polyhedron with tensions, from which a surface is made. A point of the object is origin + position.
 struct PolyhedronSource {
+  static constexpr std::string_view kind = "polyhedron";
   Vector3 origin = Vector3::Zero();
   Polyhedron polyhedron;  ///< positions relative to origin
   Shared<Shaping> shaping;
@@ -58,6 +60,7 @@ PolyhedronSource as_new(PolyhedronSource source);
 /// Imported mesh kept as a reference: facets only, no surface, not necessarily manifold. Positions are finite
 /// and relative to origin; faces have at least three corners with indices in range.
 struct MeshSource {
+  static constexpr std::string_view kind = "mesh";
   Vector3 origin = Vector3::Zero();
   Shared<PolygonMesh> mesh;
   Shared<KeptMembers> kept;
@@ -72,6 +75,7 @@ struct MeshSource {
 /// Grid of bicubic Bezier patches. The control points are the vertices 0, 1, 2, ... of a net of quads, so
 /// that they can be selected and moved like those of a polyhedron.
 struct PatchSource {
+  static constexpr std::string_view kind = "patches";
   Vector3 origin = Vector3::Zero();
   Index columns = 0, rows = 0;
   Polyhedron net;  ///< (3 columns + 1) x (3 rows + 1) points relative to origin, row by row
@@ -93,6 +97,7 @@ struct PatchSource {
 /// Bezier patches of any degree, polynomial or rational, that become one surface where their sides meet
 /// (`weld_patches`). They are shown, analysed and meshed as they are; their control points are not editable.
 struct BezierSource {
+  static constexpr std::string_view kind = "bezier";
   Vector3 origin = Vector3::Zero();
   Shared<std::vector<BezierPatch>> patches;  ///< relative to origin; at least one, all pass `check_patch`
   Shared<KeptMembers> kept;
@@ -110,6 +115,7 @@ struct BezierSource {
 
 /// Placed solids with a smooth envelope surface (core/envelope).
 struct SolidsSource {
+  static constexpr std::string_view kind = "solids";
   Shared<EnvelopeInput> input;  ///< passes `check_envelope`
   Shared<KeptMembers> kept;
 
@@ -119,6 +125,7 @@ struct SolidsSource {
 /// Sections along a path, skinned by a subdivision surface (core/skinning). Sections that cannot be skinned
 /// are an error of the surface; the source only needs unique ids.
 struct SkinSource {
+  static constexpr std::string_view kind = "skin";
   Shared<Skin> skin;
   Shared<KeptMembers> kept;
 
@@ -128,6 +135,7 @@ struct SkinSource {
 /// Closed loops with normals, filled by a surface (core/gaussmap). The outline may be unfinished: its faults
 /// are errors of its surface.
 struct OutlineSource {
+  static constexpr std::string_view kind = "outline";
   Shared<Outline> outline;  ///< one normal per point; at most `max_outline_points` points
   OutlineSettings settings;
   Shared<KeptMembers> kept;
@@ -145,8 +153,9 @@ struct UnknownSource {
 using Source = std::variant<PolyhedronSource, MeshSource, PatchSource, BezierSource, SolidsSource, SkinSource,
                             OutlineSource, PictureSource, UnknownSource>;
 
-/// Kind of a source: "polyhedron", "mesh", "patches", "bezier", "solids", "skin", "outline", "picture", or
-/// the kind's name in the file.
-std::string_view kind_of(const Source& source);
+/// Name of a source's kind in files.
+inline std::string_view kind_of(const Source& source) {
+  return std::visit([](const auto& one) -> std::string_view { return one.kind; }, source);
+}
 
 }  // namespace hariko

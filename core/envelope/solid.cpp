@@ -1,7 +1,6 @@
 #include "core/envelope/solid.hpp"
 
 #include <Eigen/Geometry>
-#include <array>
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -11,9 +10,6 @@
 namespace hariko {
 
 namespace {
-
-constexpr std::array<std::string_view, 9> kind_names{"box",     "sphere",  "cylinder", "cone",      "prism",
-                                                     "pyramid", "capsule", "torus",    "polyhedron"};
 
 bool positive(double x) {
   return std::isfinite(x) && x > 0;
@@ -119,16 +115,6 @@ Message setting_error(const char* name, const char* range) {
 }
 
 }  // namespace
-
-std::string_view name_of(SolidKind kind) {
-  return kind_names[std::size_t(kind)];
-}
-
-std::optional<SolidKind> solid_kind_named(std::string_view name) {
-  for (std::size_t k = 0; k < kind_names.size(); ++k)
-    if (kind_names[k] == name) return SolidKind(k);
-  return std::nullopt;
-}
 
 Result<Done> check_solid(const Solid& solid, std::size_t index) {
   return SolidCheck(solid, index).check();

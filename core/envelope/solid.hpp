@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "core/base/result.hpp"
+#include "core/base/text/enum_words.hpp"
 #include "core/base/vector.hpp"
 
 namespace hariko {
@@ -37,6 +38,16 @@ enum class SolidKind : std::uint8_t {
   torus,
   polyhedron
 };
+template <>
+inline constexpr auto enum_words<SolidKind> = all_words<SolidKind>({{SolidKind::box, "box"},
+                                                                    {SolidKind::sphere, "sphere"},
+                                                                    {SolidKind::cylinder, "cylinder"},
+                                                                    {SolidKind::cone, "cone"},
+                                                                    {SolidKind::prism, "prism"},
+                                                                    {SolidKind::pyramid, "pyramid"},
+                                                                    {SolidKind::capsule, "capsule"},
+                                                                    {SolidKind::torus, "torus"},
+                                                                    {SolidKind::polyhedron, "polyhedron"}});
 
 /// Marks a solid as the bar between two others.
 struct Bridge {
@@ -105,9 +116,13 @@ inline constexpr std::size_t max_solid_points = 2000;
 inline constexpr std::uint32_t max_solid_sides = 64;
 
 /// Name of a kind: "box", "sphere", ...
-std::string_view name_of(SolidKind kind);
+inline std::string_view name_of(SolidKind kind) {
+  return enum_word(kind);
+}
 /// Kind with a name; nothing for other names.
-std::optional<SolidKind> solid_kind_named(std::string_view name);
+inline std::optional<SolidKind> solid_kind_named(std::string_view name) {
+  return enum_value<SolidKind>(name);
+}
 
 /// Checks solids and settings. Errors name the solid by its index in the list (from 0, the element is an
 /// object with that number) and the field: E_NO_SOLIDS, E_TOO_MANY_SOLIDS, E_SOLID_SIZE (not positive or not

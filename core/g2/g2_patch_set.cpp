@@ -118,6 +118,11 @@ PatchPoint G2PatchSet::evaluate(Index patch, const Vector2& parameter, Order ord
   return point;
 }
 
+ExactForm G2PatchSet::exact_form(Index patch) const {
+  const Index at = atlas_->face[patch];
+  return ChartPatch{this, at, atlas_->side[patch], face(at), std::size_t(chart_of(patch).control_count())};
+}
+
 PatchPoint G2PatchSet::evaluate_chart(Index at, const Vector2& point, Order order) const {
   const FaceChart& chart = *atlas_->chart[at];
   const int n = chart.sides();
@@ -232,11 +237,8 @@ void G2PatchSet::evaluate_grid(std::span<const Index> patches, const GridPattern
           position[i] = side_position(patches[k], p.y(), p.x());
         }
         if (!degenerate) return;
-        const Vector2 middle(1.0 / 3, 1.0 / 3);
         for (std::size_t i = 0; i < points; ++i)
-          if (normal[i].isZero(0))
-            normal[i] = unit_normal(
-                evaluate(patches[k], parameters[i] + 1e-4 * (middle - parameters[i]), Order::first));
+          if (normal[i].isZero(0)) normal[i] = inner_normal(patches[k], parameters[i]);
       });
 }
 

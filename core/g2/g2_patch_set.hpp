@@ -59,7 +59,7 @@ struct G2Atlas {
 using G2Face = std::vector<Vector3>;
 
 /// Patches of mode G2, one per triangle (centre, vertex, next vertex) of a face.
-class G2PatchSet final : public PatchSet {
+class G2PatchSet final : public PatchSet, public ChartEvaluation {
  public:
   G2PatchSet(std::shared_ptr<const G2Atlas> atlas, std::vector<std::shared_ptr<const G2Face>> faces);
 
@@ -67,15 +67,13 @@ class G2PatchSet final : public PatchSet {
   const std::vector<std::shared_ptr<const G2Face>>& faces() const { return faces_; }
   const G2Face& face(Index face) const { return *faces_[face]; }
 
-  /// Point of a face by its chart's coordinates, with derivatives by them; anywhere in the polygon.
-  PatchPoint evaluate_chart(Index face, const Vector2& point, Order order) const;
+  const std::vector<Vector2>& polygon(Index face) const override { return atlas_->chart[face]->vertices(); }
+  PatchPoint evaluate_chart(Index face, const Vector2& point, Order order) const override;
   /// Normal of the tangent plane at a patch's corner: 0 centre, 1 origin, 2 target of its half-edge. Zero if
   /// there is none.
   Vector3 corner_normal(Index patch, int corner) const;
 
-  /// Bezier points of the cross derivative r1 along the patch's outer side, which must be cubic: without
-  /// freedom of its own, and without departure.
-  std::array<Vector3, 4> side_cross_derivative(Index patch) const;
+  std::array<Vector3, 4> side_cross_derivative(Index patch) const override;
 
   Domain domain() const override { return Domain::triangle; }
   Index patch_count() const override { return static_cast<Index>(atlas_->face.size()); }
@@ -87,6 +85,7 @@ class G2PatchSet final : public PatchSet {
   /// Exact, since every sector of a vertex has one quadratic form; direction-dependent where a joined side
   /// departs from it.
   CornerSecondOrder second_order_at_corner(Index patch, int corner) const override;
+  ExactForm exact_form(Index patch) const override;
 
  private:
   const FaceChart& chart_of(Index patch) const { return *atlas_->chart[atlas_->face[patch]]; }

@@ -5,6 +5,8 @@
 #include <limits>
 #include <numeric>
 
+#include "core/base/assert.hpp"
+
 namespace hariko {
 
 namespace {
@@ -89,6 +91,23 @@ double twice_area(std::span<const Vector2> corners) {
   for (std::size_t i = 0; i < corners.size(); ++i)
     sum += cross(corners[i], corners[(i + 1) % corners.size()]);
   return sum;
+}
+
+Vector3 polygon_centre(std::span<const Vector3> corners) {
+  HARIKO_ASSERT(!corners.empty(), "a polygon needs corners");
+  const Vector3 first = corners.front(), normal = newell_normal(corners);
+  Vector3 mean = Vector3::Zero(), moment = Vector3::Zero();
+  double extent = 0;
+  for (const Vector3& corner : corners) {
+    mean += (corner - first) / double(corners.size());
+    extent = std::max(extent, (corner - first).squaredNorm());
+  }
+  if (!(normal.norm() > 1e-12 * extent)) return first + mean;
+  for (std::size_t i = 1; i + 1 < corners.size(); ++i) {
+    const Vector3 a = corners[i] - first, b = corners[i + 1] - first;
+    moment += a.cross(b).dot(normal) * (a + b) / 3;
+  }
+  return first + moment / normal.squaredNorm();
 }
 
 bool inside_polygon(std::span<const Vector2> corners, const Vector2& point) {

@@ -23,6 +23,10 @@ Vector3 newell_normal(std::size_t count, const At& at) {
 }
 Vector3 newell_normal(std::span<const Vector3> corners);
 
+/// Centroid of the area of a closed polygon; of one without area (within 1e-12 of its extent squared) the
+/// mean of its corners. Exact for planar polygons, concave ones too. At least one corner. O(n).
+Vector3 polygon_centre(std::span<const Vector3> corners);
+
 /// Coordinates of points in the plane through `origin` at right angles to a unit normal, seen from its tip.
 std::vector<Vector2> flattened(std::span<const Vector3> points, const Vector3& origin, const Vector3& normal);
 

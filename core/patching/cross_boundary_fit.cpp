@@ -5,9 +5,11 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <span>
 
 #include "core/base/solvers/dense_solver.hpp"
 #include "core/base/solvers/least_squares.hpp"
+#include "core/patching/quartic/quartic_basis.hpp"
 
 namespace hariko {
 
@@ -224,21 +226,21 @@ void follow(const BicubicNet& before, const std::vector<RowJoint>& joints, const
   }
 }
 
-}  // namespace
-
-CrossRow cross_row(const QuarticPatch& patch, bool reversed) {
+CrossRow quartic_row(std::span<const Vector3> d, bool reversed) {
   using namespace quartic;
-  const auto& d = patch.control;
   if (reversed) return {d[d004] - d[d103], d[d013] - d[d112u], d[d022] - d[d121u], d[d031] - d[d130]};
   return {d[d040] - d[d130], d[d031] - d[d121u], d[d022] - d[d112u], d[d013] - d[d103]};
 }
 
+}  // namespace
+
 CrossRow cross_row(const PatchSet& patches, Index patch, bool reversed) {
-  if (const auto* quartic = dynamic_cast<const QuarticPatchSet*>(&patches))
-    return cross_row(quartic->patch(patch), reversed);
-  const auto* g2 = dynamic_cast<const G2PatchSet*>(&patches);
-  HARIKO_ASSERT(g2, "patches of a polyhedron's surface");
-  CrossRow row = g2->side_cross_derivative(patch);
+  const ExactForm form = patches.exact_form(patch);
+  if (const auto* quartic = std::get_if<PairedQuartic>(&form))
+    return quartic_row(quartic->controls, reversed);
+  const auto* chart = std::get_if<ChartPatch>(&form);
+  HARIKO_ASSERT(chart, "patches of a polyhedron's surface");
+  CrossRow row = chart->charts->side_cross_derivative(patch);
   for (Vector3& vector : row) vector *= -0.25;
   if (reversed) std::reverse(row.begin(), row.end());
   return row;

@@ -7,8 +7,6 @@
 #include <vector>
 
 #include "core/base/message.hpp"
-#include "core/g2/g2_patch_set.hpp"
-#include "core/patching/quartic/quartic_patch.hpp"
 #include "core/surface/bicubic_patch.hpp"
 
 namespace hariko {
@@ -19,7 +17,6 @@ inline constexpr Code w_join_kink{"W_JOIN_KINK"};
 /// Cross-boundary row D(i,4-i,0) - D(i,3-i,1), i = 0 .. 3, along a patch's side, from its end to its start if
 /// `reversed`.
 using CrossRow = std::array<Vector3, 4>;
-CrossRow cross_row(const QuarticPatch& patch, bool reversed = false);
 /// Cross-boundary row along the outer side of a patch of a polyhedron's surface, in any mode. In mode G2 it
 /// is a quarter of the ribbon's cross derivative, which must be cubic (`Join::patch_follows`), pointing
 /// outwards.

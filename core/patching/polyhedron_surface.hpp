@@ -65,9 +65,6 @@ struct PolyhedronSurface {
   std::shared_ptr<const Network> network;
   /// Warnings W_LONG_TANGENT, W_FOLD and W_JOIN_SCALE; filled at quality `final` only.
   std::vector<Message> warnings;
-  /// Length by which solids protrude, on purpose, from a ball envelope whose faces lie on theirs
-  /// (`EnvelopeSurface`); nothing for other surfaces.
-  std::optional<double> sticks_out;
   SolveReport report;
   /// Coefficients per join, in the order of the half-edges; meaningless for G0. Kept from the last full
   /// solve.

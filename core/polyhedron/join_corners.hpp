@@ -21,6 +21,8 @@ struct TidyMesh {
 
 /// Default joining distance, relative to the size of the mesh.
 inline constexpr double usual_joining_distance = 1e-6;
+/// Distance within which corners of faces that are all loose probably belong together, relative to the size.
+inline constexpr double loose_joining_distance = 1e-3;
 
 /// Size of a mesh: the diagonal of the bounding box of the vertices that faces use.
 double used_size(const PolygonMesh& mesh);

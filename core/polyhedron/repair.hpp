@@ -37,8 +37,9 @@ PolygonMesh weld(const PolygonMesh& mesh, double distance);
 
 /// Statistics of `make_manifold`.
 struct RepairReport {
-  std::size_t merged_vertices = 0;   ///< merged into others at nearly the same position
-  std::size_t dropped_faces = 0;     ///< degenerate, double, or with vertices that do not exist
+  std::size_t merged_vertices = 0;  ///< merged into others at nearly the same position
+  /// degenerate, double, or with vertices that do not exist; of split faces the parts count
+  std::size_t dropped_faces = 0;
   std::size_t turned_faces = 0;      ///< turned to agree with their neighbours
   std::size_t split_vertices = 0;    ///< copies added where the mesh was cut apart
   std::size_t removed_vertices = 0;  ///< vertices used by no face

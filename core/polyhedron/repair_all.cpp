@@ -32,6 +32,22 @@ void add_rounds(std::span<const Index> face, PolygonMesh& out) {
   if (open.size() >= 3) out.add_face(open);
 }
 
+struct SplitFaces {
+  PolygonMesh mesh;
+  std::size_t lost = 0;  ///< faces of which no loop has three corners
+};
+
+SplitFaces split_into_rounds(const PolygonMesh& mesh) {
+  SplitFaces out;
+  out.mesh.positions = mesh.positions;
+  for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+    const std::size_t before = out.mesh.face_count();
+    add_rounds(mesh.face(f), out.mesh);
+    out.lost += out.mesh.face_count() == before;
+  }
+  return out;
+}
+
 template <class Keep>
 PolygonMesh with_faces(const PolygonMesh& mesh, Keep&& keep) {
   PolygonMesh out;
@@ -76,10 +92,7 @@ bool same_face(const PolygonMesh& a, const PolygonMesh& b, std::size_t f) {
 }  // namespace
 
 PolygonMesh split_repeated_corners(const PolygonMesh& mesh) {
-  PolygonMesh out;
-  out.positions = mesh.positions;
-  for (std::size_t f = 0; f < mesh.face_count(); ++f) add_rounds(mesh.face(f), out);
-  return out;
+  return split_into_rounds(mesh).mesh;
 }
 
 Result<Repaired> make_manifold(const PolygonMesh& given) {
@@ -99,8 +112,11 @@ Result<Repaired> make_manifold(const PolygonMesh& given) {
   const std::size_t separate = mesh.positions.size();
   mesh = weld(mesh, near * size_of(mesh));
   report.merged_vertices = separate - mesh.positions.size();
-  mesh = without_doubles(split_repeated_corners(mesh));
-  report.dropped_faces = given.face_count() - std::min(given.face_count(), mesh.face_count());
+  report.dropped_faces = given.face_count() - mesh.face_count();
+  // Counted before and after the splitting, which makes several faces of one.
+  const SplitFaces rounds = split_into_rounds(mesh);
+  mesh = without_doubles(rounds.mesh);
+  report.dropped_faces += rounds.lost + (rounds.mesh.face_count() - mesh.face_count());
   if (mesh.face_count() == 0)
     return make_error(e_no_faces, "No face is left after the repair.",
                       "Repair the file in the program that wrote it.");

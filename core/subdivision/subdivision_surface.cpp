@@ -131,9 +131,7 @@ void SubdivisionPatchSet::evaluate_grid(std::span<const Index> patches, const Gr
     for_border(patch, pattern, [&](int at, const Vector3& p) { position[at] = p; });
     if (!degenerate) continue;
     for (std::size_t i = 0; i < points; ++i)
-      if (normal[i].isZero(0))
-        normal[i] = unit_normal(
-            evaluate(patch, parameters[i] + 1e-4 * (Vector2(0.5, 0.5) - parameters[i]), Order::first));
+      if (normal[i].isZero(0)) normal[i] = inner_normal(patch, parameters[i]);
   }
 }
 
@@ -167,11 +165,6 @@ void SubdivisionPatchSet::positions(Index patch, std::span<const Vector2> parame
   const std::vector<Vector3> controls = gather(patch);
   for (std::size_t k = 0; k < parameters.size(); ++k)
     out[k] = sum(topology_->weights(patch, parameters[k], Order::first).value, controls);
-}
-
-void SubdivisionPatchSet::first_order(Index patch, std::span<const Vector2> parameters,
-                                      std::span<PatchPoint> out) const {
-  for (std::size_t k = 0; k < parameters.size(); ++k) out[k] = evaluate(patch, parameters[k], Order::first);
 }
 
 void SubdivisionPatchSet::hull(Index, const ParameterTriangle&, std::span<const Vector3> samples,

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "core/subdivision/subdivision_topology.hpp"
-#include "core/surface/facet_evaluation.hpp"
 #include "core/surface/surface.hpp"
 
 namespace hariko {
@@ -14,7 +13,7 @@ namespace hariko {
 struct SkinResult;
 
 /// Patches of a Catmull-Clark surface.
-class SubdivisionPatchSet final : public PatchSet, public FacetEvaluation {
+class SubdivisionPatchSet final : public PatchSet {
  public:
   /// Makes the patches, with one position per vertex of the topology's mesh (asserted). `skin`: the skin
   /// result that the mesh comes from, if any.
@@ -43,12 +42,11 @@ class SubdivisionPatchSet final : public PatchSet, public FacetEvaluation {
   }
 
   void positions(Index patch, std::span<const Vector2> parameters, std::span<Vector3> out) const override;
-  void first_order(Index patch, std::span<const Vector2> parameters,
-                   std::span<PatchPoint> out) const override;
   /// 6 where the patch is a bicubic polynomial; 0 (no bound) for others.
   int hull_degree(Index patch) const override { return topology_->polynomial(patch) ? 6 : 0; }
   void hull(Index patch, const ParameterTriangle& triangle, std::span<const Vector3> samples,
             std::span<HullBall> out) const override;
+  ExactForm exact_form(Index patch) const override { return SubdivisionPatch{topology_->polynomial(patch)}; }
 
  private:
   std::vector<Vector3> gather(Index patch) const;

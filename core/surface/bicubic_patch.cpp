@@ -68,13 +68,6 @@ PatchPoint point_of(const Controls& p, double s, double t, Order order) {
   return point;
 }
 
-/// Normal where the derivatives are parallel: taken slightly further inside.
-Vector3 normal_of(const Controls& p, double s, double t, const PatchPoint& point) {
-  const Vector3 normal = unit_normal(point);
-  if (!normal.isZero(0)) return normal;
-  return unit_normal(point_of(p, s + 1e-4 * (0.5 - s), t + 1e-4 * (0.5 - t), Order::first));
-}
-
 }  // namespace
 
 Index patch_of(const BicubicNet& net, NetSide side) {
@@ -140,13 +133,9 @@ void BicubicPatchSet::evaluate_grid(std::span<const Index> patches, const GridPa
   std::vector<PatchPoint> points(patches.size() * count);
   evaluate_grid(patches, pattern, points);
   const std::vector<Vector2> parameters = pattern.parameters();
-  for (std::size_t k = 0; k < patches.size(); ++k) {
-    const Controls p = controls(patches[k]);
-    for (std::size_t i = 0; i < count; ++i) {
-      const PatchPoint& point = points[k * count + i];
-      positions[k * count + i] = point.position;
-      normals[k * count + i] = normal_of(p, parameters[i].x(), parameters[i].y(), point);
-    }
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    positions[k] = points[k].position;
+    normals[k] = normal_at(patches[k / count], parameters[k % count], points[k]);
   }
 }
 
@@ -201,11 +190,6 @@ void BicubicPatchSet::first_order(Index patch, std::span<const Vector2> paramete
 void BicubicPatchSet::hull(Index, const ParameterTriangle&, std::span<const Vector3> samples,
                            std::span<HullBall> out) const {
   triangle_collocation(6).controls(samples, out);
-}
-
-CornerSecondOrder BicubicPatchSet::second_order_at_corner(Index patch, int corner) const {
-  const PatchPoint point = evaluate(patch, corner_parameter(Domain::square, corner), Order::first);
-  return unit_normal(point).isZero(0) ? CornerSecondOrder::undefined : CornerSecondOrder::exact;
 }
 
 namespace {

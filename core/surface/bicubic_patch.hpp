@@ -6,7 +6,6 @@
 #include <memory>
 #include <vector>
 
-#include "core/surface/facet_evaluation.hpp"
 #include "core/surface/surface.hpp"
 
 namespace hariko {
@@ -53,7 +52,7 @@ struct SideRows {
 SideRows side_rows(const BicubicNet& net, NetSide side);
 
 /// Patches of a bicubic net.
-class BicubicPatchSet final : public PatchSet, public FacetEvaluation {
+class BicubicPatchSet final : public PatchSet {
  public:
   /// Takes a net whose number of points fits its size (asserted).
   explicit BicubicPatchSet(BicubicNet net);
@@ -67,8 +66,6 @@ class BicubicPatchSet final : public PatchSet, public FacetEvaluation {
                      std::span<Vector3> normals) const override;
   void evaluate_grid(std::span<const Index> patches, const GridPattern& pattern,
                      std::span<PatchPoint> points) const override;
-  /// Exact everywhere, except undefined where a side shrinks to the corner.
-  CornerSecondOrder second_order_at_corner(Index patch, int corner) const override;
 
   void positions(Index patch, std::span<const Vector2> parameters, std::span<Vector3> out) const override;
   void first_order(Index patch, std::span<const Vector2> parameters,
@@ -76,6 +73,7 @@ class BicubicPatchSet final : public PatchSet, public FacetEvaluation {
   int hull_degree(Index) const override { return 6; }
   void hull(Index patch, const ParameterTriangle& triangle, std::span<const Vector3> samples,
             std::span<HullBall> out) const override;
+  ExactForm exact_form(Index patch) const override { return BicubicPatch{controls(patch)}; }
 
  private:
   using Controls = std::array<Vector3, 16>;

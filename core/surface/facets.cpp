@@ -30,27 +30,9 @@ class FacetPatches final : public PatchSet {
       point.position = positions_[a] + parameter.x() * point.ds + parameter.y() * point.dt;
     return point;
   }
-  void evaluate_grid(std::span<const Index> patches, const GridPattern& pattern, std::span<Vector3> positions,
-                     std::span<Vector3> normals) const override {
-    for_grid(patches, pattern, [&](std::size_t at, const PatchPoint& point) {
-      positions[at] = point.position;
-      normals[at] = unit_normal(point);
-    });
-  }
-  void evaluate_grid(std::span<const Index> patches, const GridPattern& pattern,
-                     std::span<PatchPoint> points) const override {
-    for_grid(patches, pattern, [&](std::size_t at, const PatchPoint& point) { points[at] = point; });
-  }
   CornerSecondOrder second_order_at_corner(Index, int) const override { return CornerSecondOrder::exact; }
 
  private:
-  template <class Body>
-  void for_grid(std::span<const Index> patches, const GridPattern& pattern, const Body& body) const {
-    const std::vector<Vector2> parameters = pattern.parameters();
-    std::size_t at = 0;
-    for (const Index patch : patches)
-      for (const Vector2& parameter : parameters) body(at++, evaluate(patch, parameter, Order::first));
-  }
   std::vector<Vector3> positions_;
   std::vector<std::array<Index, 3>> triangles_;
 };

@@ -14,6 +14,10 @@ Vector2 corner_parameter(Domain domain, int corner) {
   return {corner == 1 || corner == 2 ? 1.0 : 0.0, corner >= 2 ? 1.0 : 0.0};
 }
 
+Vector2 centre_parameter(Domain domain) {
+  return Vector2::Constant(domain == Domain::triangle ? 1.0 / 3 : 0.5);
+}
+
 Vector2 side_parameter(Domain domain, int side, double x) {
   HARIKO_ASSERT(side >= 0 && side < corner_count(domain), "no such side");
   if (side == 0) return {x, 0.0};
@@ -99,6 +103,56 @@ class SinglePoints final : public BatchEvaluation {
 
 std::unique_ptr<const BatchEvaluation> PatchSet::batch(std::vector<Vector2> parameters) const {
   return std::make_unique<SinglePoints>(*this, std::move(parameters));
+}
+
+void PatchSet::evaluate_grid(std::span<const Index> patches, const GridPattern& pattern,
+                             std::span<Vector3> positions, std::span<Vector3> normals) const {
+  HARIKO_ASSERT(pattern.domain == domain(), "a grid of another domain");
+  const std::vector<Vector2> parameters = pattern.parameters();
+  const std::size_t count = patches.size() * parameters.size();
+  HARIKO_ASSERT(positions.size() >= count && normals.size() >= count, "output arrays are too small");
+  std::size_t at = 0;
+  for (const Index patch : patches)
+    for (const Vector2& parameter : parameters) {
+      const PatchPoint point = evaluate(patch, parameter, Order::first);
+      positions[at] = point.position;
+      normals[at++] = normal_at(patch, parameter, point);
+    }
+}
+
+void PatchSet::evaluate_grid(std::span<const Index> patches, const GridPattern& pattern,
+                             std::span<PatchPoint> points) const {
+  HARIKO_ASSERT(pattern.domain == domain(), "a grid of another domain");
+  SinglePoints(*this, pattern.parameters()).evaluate(patches, Order::second, points);
+}
+
+CornerSecondOrder PatchSet::second_order_at_corner(Index patch, int corner) const {
+  const PatchPoint point = evaluate(patch, corner_parameter(domain(), corner), Order::first);
+  return unit_normal(point).isZero(0) ? CornerSecondOrder::undefined : CornerSecondOrder::exact;
+}
+
+Vector3 PatchSet::normal_at(Index patch, const Vector2& parameter, const PatchPoint& point) const {
+  const Vector3 normal = unit_normal(point);
+  return normal.isZero(0) ? inner_normal(patch, parameter) : normal;
+}
+
+Vector3 PatchSet::inner_normal(Index patch, const Vector2& parameter) const {
+  const Vector2 inside = parameter + 1e-4 * (centre_parameter(domain()) - parameter);
+  return unit_normal(evaluate(patch, inside, Order::first));
+}
+
+void PatchSet::positions(Index patch, std::span<const Vector2> parameters, std::span<Vector3> out) const {
+  for (std::size_t k = 0; k < parameters.size(); ++k)
+    out[k] = evaluate(patch, parameters[k], Order::first).position;
+}
+
+void PatchSet::first_order(Index patch, std::span<const Vector2> parameters,
+                           std::span<PatchPoint> out) const {
+  for (std::size_t k = 0; k < parameters.size(); ++k) out[k] = evaluate(patch, parameters[k], Order::first);
+}
+
+void PatchSet::hull(Index, const ParameterTriangle&, std::span<const Vector3>, std::span<HullBall>) const {
+  HARIKO_ASSERT(false, "this patch has no bound");
 }
 
 Vector3 unit_normal(const PatchPoint& point) {

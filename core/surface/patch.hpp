@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/base/vector.hpp"
+#include "core/surface/exact_form.hpp"
 
 namespace hariko {
 
@@ -23,6 +24,8 @@ inline int corner_count(Domain domain) {
 }
 /// Parameter of a corner, 0 .. corner_count - 1.
 Vector2 corner_parameter(Domain domain, int corner);
+/// Parameter of the centre.
+Vector2 centre_parameter(Domain domain);
 /// Parameter of the point at fraction x in [0, 1] along a side.
 Vector2 side_parameter(Domain domain, int side, double x);
 
@@ -65,6 +68,20 @@ struct GridPattern {
   std::vector<int> side(int side) const;
 };
 
+/// Parameters of the corners of a triangle within one patch's domain.
+using ParameterTriangle = std::array<Vector2, 3>;
+
+/// Ball of a bound.
+struct HullBall {
+  Vector3 centre = Vector3::Zero();
+  double radius = 0;
+};
+
+/// Parameter at barycentric coordinates 1 - a - b, a, b.
+inline Vector2 at_barycentric(const ParameterTriangle& triangle, double a, double b) {
+  return triangle[0] + a * (triangle[1] - triangle[0]) + b * (triangle[2] - triangle[0]);
+}
+
 /// Evaluation of one list of parameters on many patches of a set; made by `PatchSet::batch`.
 class BatchEvaluation {
  public:
@@ -87,19 +104,43 @@ class PatchSet {
   virtual PatchPoint evaluate(Index patch, const Vector2& parameter, Order order) const = 0;
 
   /// Evaluates all points of a grid for each of `patches`: positions[k * n + i] and unit outward normals for
-  /// point i of patches[k], n = pattern.point_count(). Positions on sides as in `evaluate`. This is the fast
-  /// path.
+  /// point i of patches[k], n = pattern.point_count(). Positions on sides as in `evaluate`, normals as in
+  /// `normal_at`. This is the fast path of sets that have one.
   virtual void evaluate_grid(std::span<const Index> patches, const GridPattern& pattern,
-                             std::span<Vector3> positions, std::span<Vector3> normals) const = 0;
+                             std::span<Vector3> positions, std::span<Vector3> normals) const;
   /// Evaluates the same points with first and second derivatives.
   virtual void evaluate_grid(std::span<const Index> patches, const GridPattern& pattern,
-                             std::span<PatchPoint> points) const = 0;
-  /// Kind of second derivatives at a corner.
-  virtual CornerSecondOrder second_order_at_corner(Index patch, int corner) const = 0;
+                             std::span<PatchPoint> points) const;
+  /// Kind of second derivatives at a corner: exact, except undefined where a side shrinks to the corner.
+  virtual CornerSecondOrder second_order_at_corner(Index patch, int corner) const;
 
   /// Batch evaluation of a list of parameters on many patches: a set whose patches share basis functions
   /// tabulates them here, once. The result must not outlive the set.
   virtual std::unique_ptr<const BatchEvaluation> batch(std::vector<Vector2> parameters) const;
+
+  /// Unit normal at a point of a patch; where it has none, the inner one. Zero if both fail.
+  Vector3 normal_at(Index patch, const Vector2& parameter, const PatchPoint& point) const;
+  /// Unit normal 1e-4 of the way from a parameter to the centre of the domain.
+  Vector3 inner_normal(Index patch, const Vector2& parameter) const;
+
+  /// Positions for meshing, one per parameter: those of `evaluate` to rounding, without a virtual call each
+  /// where the set has a faster way.
+  virtual void positions(Index patch, std::span<const Vector2> parameters, std::span<Vector3> out) const;
+  /// Positions and first derivatives, one per parameter, likewise.
+  virtual void first_order(Index patch, std::span<const Vector2> parameters, std::span<PatchPoint> out) const;
+
+  /// Degree n >= 1 for which `hull` gives (n + 1)(n + 2) / 2 balls, 0 where the patch has no bound.
+  virtual int hull_degree(Index) const { return 0; }
+  /// Certain bound of a patch with a hull degree over a triangle: balls whose convex hull contains it. They
+  /// are in the order of GridPattern{triangle, n}, and those of a side of that grid bound the curve over that
+  /// side of the triangle. `samples` are the patch's positions at that grid. The bound converges with the
+  /// square of the triangle's size.
+  virtual void hull(Index patch, const ParameterTriangle& triangle, std::span<const Vector3> samples,
+                    std::span<HullBall> out) const;
+
+  /// Exact form of a patch; nothing where it has none that others can use. All patches of a set have forms of
+  /// one alternative.
+  virtual ExactForm exact_form(Index) const { return {}; }
 };
 
 /// Unit vector along ds x dt; zero where one is zero or both are parallel to within 1e-12 of the product of

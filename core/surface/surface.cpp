@@ -20,10 +20,6 @@ int corner_at(Domain domain, const Vector2& parameter) {
   return -1;
 }
 
-Vector2 centre_parameter(Domain domain) {
-  return domain == Domain::triangle ? Vector2(1.0 / 3, 1.0 / 3) : Vector2(0.5, 0.5);
-}
-
 }  // namespace
 
 Surface::Surface(Parts parts) : parts_(std::move(parts)) {

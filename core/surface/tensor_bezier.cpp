@@ -106,41 +106,6 @@ PatchPoint BezierPatchSet::evaluate(Index patch, const Vector2& parameter, Order
                       : polynomial_point(p, parameter, order);
 }
 
-void BezierPatchSet::evaluate_grid(std::span<const Index> patches, const GridPattern& pattern,
-                                   std::span<Vector3> positions, std::span<Vector3> normals) const {
-  HARIKO_ASSERT(pattern.domain == Domain::square, "tensor patches are squares");
-  const std::vector<Vector2> parameters = pattern.parameters();
-  HARIKO_ASSERT(positions.size() >= patches.size() * parameters.size() &&
-                    normals.size() >= patches.size() * parameters.size(),
-                "output arrays are too small");
-  std::size_t at = 0;
-  for (const Index patch : patches)
-    for (const Vector2& parameter : parameters) {
-      const PatchPoint point = evaluate(patch, parameter, Order::first);
-      positions[at] = point.position;
-      normals[at] = unit_normal(point);
-      if (normals[at].isZero(0))
-        normals[at] =
-            unit_normal(evaluate(patch, parameter + 1e-4 * (Vector2(0.5, 0.5) - parameter), Order::first));
-      ++at;
-    }
-}
-
-void BezierPatchSet::evaluate_grid(std::span<const Index> patches, const GridPattern& pattern,
-                                   std::span<PatchPoint> points) const {
-  HARIKO_ASSERT(pattern.domain == Domain::square, "tensor patches are squares");
-  const std::vector<Vector2> parameters = pattern.parameters();
-  HARIKO_ASSERT(points.size() >= patches.size() * parameters.size(), "output array is too small");
-  std::size_t at = 0;
-  for (const Index patch : patches)
-    for (const Vector2& parameter : parameters) points[at++] = evaluate(patch, parameter, Order::second);
-}
-
-CornerSecondOrder BezierPatchSet::second_order_at_corner(Index patch, int corner) const {
-  const PatchPoint point = evaluate(patch, corner_parameter(Domain::square, corner), Order::first);
-  return unit_normal(point).isZero(0) ? CornerSecondOrder::undefined : CornerSecondOrder::exact;
-}
-
 void BezierPatchSet::positions(Index patch, std::span<const Vector2> parameters,
                                std::span<Vector3> out) const {
   const BezierPatch& at = patches_[patch];
@@ -156,11 +121,6 @@ void BezierPatchSet::positions(Index patch, std::span<const Vector2> parameters,
     const Vector4 h = tensor_sum(p, q, s, t, homogeneous_[patch].data());
     out[k] = h.head<3>() / h.w();
   }
-}
-
-void BezierPatchSet::first_order(Index patch, std::span<const Vector2> parameters,
-                                 std::span<PatchPoint> out) const {
-  for (std::size_t k = 0; k < parameters.size(); ++k) out[k] = evaluate(patch, parameters[k], Order::first);
 }
 
 int BezierPatchSet::hull_degree(Index patch) const {

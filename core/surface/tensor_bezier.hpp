@@ -5,13 +5,13 @@
 #include <vector>
 
 #include "core/surface/bezier_patch.hpp"
-#include "core/surface/facet_evaluation.hpp"
+#include "core/surface/patch.hpp"
 #include "core/surface/triangle_collocation.hpp"
 
 namespace hariko {
 
 /// Tensor-product Bezier patches of possibly different degrees, polynomial or rational.
-class BezierPatchSet final : public PatchSet, public FacetEvaluation {
+class BezierPatchSet final : public PatchSet {
  public:
   /// Takes patches that pass `check_patch` (asserted).
   explicit BezierPatchSet(std::vector<BezierPatch> patches);
@@ -21,21 +21,14 @@ class BezierPatchSet final : public PatchSet, public FacetEvaluation {
   Domain domain() const override { return Domain::square; }
   Index patch_count() const override { return static_cast<Index>(patches_.size()); }
   PatchPoint evaluate(Index patch, const Vector2& parameter, Order order) const override;
-  void evaluate_grid(std::span<const Index> patches, const GridPattern& pattern, std::span<Vector3> positions,
-                     std::span<Vector3> normals) const override;
-  void evaluate_grid(std::span<const Index> patches, const GridPattern& pattern,
-                     std::span<PatchPoint> points) const override;
-  /// Exact everywhere, except undefined where a side shrinks to the corner.
-  CornerSecondOrder second_order_at_corner(Index patch, int corner) const override;
 
   void positions(Index patch, std::span<const Vector2> parameters, std::span<Vector3> out) const override;
-  void first_order(Index patch, std::span<const Vector2> parameters,
-                   std::span<PatchPoint> out) const override;
   /// Degree of the hull: degree_s + degree_t where that is at most TriangleCollocation::max_degree, otherwise
   /// 0.
   int hull_degree(Index patch) const override;
   void hull(Index patch, const ParameterTriangle& triangle, std::span<const Vector3> samples,
             std::span<HullBall> out) const override;
+  ExactForm exact_form(Index patch) const override { return patches_[patch]; }
 
  private:
   void rational_hull(Index patch, const ParameterTriangle& triangle, std::span<HullBall> out) const;

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "core/surface/facet_evaluation.hpp"
+#include "core/surface/patch.hpp"
 
 namespace hariko {
 

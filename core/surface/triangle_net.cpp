@@ -5,15 +5,14 @@
 #include <mutex>
 
 #include "core/base/assert.hpp"
-#include "core/surface/bicubic_patch.hpp"
-#include "core/surface/tensor_bezier.hpp"
 
 namespace hariko {
 
 int polynomial_degree(const PatchSet& patches, Index patch) {
-  if (dynamic_cast<const BicubicPatchSet*>(&patches)) return 6;
-  const auto* tensor = dynamic_cast<const BezierPatchSet*>(&patches);
-  return tensor && !tensor->patch(patch).rational() ? tensor->hull_degree(patch) : 0;
+  const ExactForm form = patches.exact_form(patch);
+  const auto* bezier = std::get_if<BezierPatch>(&form);
+  const bool polynomial = std::holds_alternative<BicubicPatch>(form) || (bezier && !bezier->rational());
+  return polynomial ? patches.hull_degree(patch) : 0;
 }
 
 TriangleNet::TriangleNet(int degree) : degree_(degree) {

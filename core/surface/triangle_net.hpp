@@ -11,7 +11,8 @@
 namespace hariko {
 
 /// Degree n of the triangular Bezier patches that represent a patch exactly, with the control points of
-/// `FacetEvaluation::hull`; 0 where the patch is not polynomial, or of a degree without a hull.
+/// `PatchSet::hull`; 0 where the patch has no polynomial control points of its own, or a degree without a
+/// hull.
 int polynomial_degree(const PatchSet& patches, Index patch);
 
 /// Tables shared by all nets of a degree. Points are in the order of GridPattern{triangle, degree}; side k

@@ -45,6 +45,7 @@ TEST(ConversionJobs, SolidsStayHiddenBesideTheirPolyhedron) {
   EXPECT_TRUE(rig.objects()[0]->solids());
   ASSERT_TRUE(rig.objects()[1]->polyhedron());
   EXPECT_TRUE(rig.objects()[1]->display.polyhedron);
+  EXPECT_FALSE(rig.objects()[1]->display.points) << "they would cover the form";
   EXPECT_EQ(rig.editor.selection.active, rig.objects()[1]->id);
   EXPECT_EQ(rig.converted, 1);
   ASSERT_EQ(rig.editor.notices().size(), 1U);

@@ -46,10 +46,11 @@ TEST(PixelScale, SnappingReachesAsFarAsItLooks) {
     rig.editor.pixel_scale = scale;
     rig.choose({6});
     const TransformTarget target = TransformTarget::of(rig.editor);
-    const SnapPlaces places(rig.context());
+    const SnapPlaces places(rig.context(), SnapSettings{});
+    const SnapGesture gesture{SnapSettings{}, {}, Vector3::UnitZ(), &target};
     const Vector2 away(0, -1);  // above the model: nothing else is near
-    EXPECT_TRUE(places.nearest(rig.context(), target, other + 0.95 * snap_radius * scale * away));
-    EXPECT_FALSE(places.nearest(rig.context(), target, other + 1.05 * snap_radius * scale * away));
+    EXPECT_TRUE(places.nearest(rig.context(), gesture, other + 0.95 * snap_radius * scale * away));
+    EXPECT_FALSE(places.nearest(rig.context(), gesture, other + 1.05 * snap_radius * scale * away));
   }
 }
 

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdio>
 #include <map>
+#include <numbers>
 #include <set>
 
 #include "app/files/export_cad.hpp"
@@ -15,6 +16,7 @@
 #include "core/analysis/measures.hpp"
 #include "core/cad/cad_model.hpp"
 #include "core/cad/kernel/cad_letters.hpp"
+#include "core/document/edits/edit_objects.hpp"
 #include "core/document/file.hpp"
 #include "core/modeling/surfacing/object_surfacer.hpp"
 #include "tests/support/places.hpp"
@@ -211,6 +213,49 @@ TEST(RoundTrip, SamplesComeBackAsTheyWent) {
     const Whole surfaces = surfaces_of(*document);
     for (const Form& form : forms) check(sample, *document, surfaces, form);
   }
+}
+
+/// No sample has caps.
+TEST(RoundTrip, CappedSkinsComeBackAsPatchesAndClosed) {
+  if (why_no_cad_files()) GTEST_SKIP() << "built without OpenCASCADE";
+  Skin skin;
+  for (int i = 0; i < 4; ++i) skin.path.points.push_back(Vector3(0, 0, 40.0 * i / 3));
+  for (std::uint32_t k = 0; k < 2; ++k) {
+    SkinSection section;
+    section.id = k;
+    section.v = k;
+    section.closed = true;
+    for (std::uint32_t i = 0; i < 6; ++i) {
+      const double a = std::numbers::pi * i / 3, radius = 10 - 2.0 * k;
+      section.points.push_back(
+          {10 * k + i, Vector3(radius * std::cos(a), radius * std::sin(a), 40.0 * k), false});
+    }
+    skin.sections.push_back(section);
+  }
+  for (const Caps caps : {Caps::flat, Caps::dome})
+    for (const char* ending : {".step", ".igs"}) {
+      SCOPED_TRACE((caps == Caps::flat ? "flat" : "dome") + std::string(ending));
+      skin.caps = caps;
+      const Document document = add_object({}, "Tube", SkinSource{skin, {}})->document;
+      const Whole was = surfaces_of(document);
+      ASSERT_EQ(was.closed, 1U);
+      const TemporaryFolder folder;
+      const fs::path first = folder.path() / ("a" + std::string(ending)),
+                     second = folder.path() / ("b" + std::string(ending));
+      const auto went = export_cad(document, first, {}, "2026-11-22T12:00:00");
+      ASSERT_TRUE(went.ok()) << to_string(went.error());
+      const OpenedFile opened_file = open_file(first);
+      ASSERT_TRUE(opened_file.document);
+      ASSERT_EQ(opened_file.document->objects.size(), 1U);
+      EXPECT_TRUE(opened_file.document->objects[0]->bezier()) << "patches became facets";
+      const Whole is = opened(*opened_file.document);
+      EXPECT_EQ(is.closed, 1U);
+      EXPECT_NEAR(is.volume, was.volume, 1e-4 * was.volume);
+      const auto again_written = export_cad(*opened_file.document, second, {}, "2026-11-22T12:00:00");
+      ASSERT_TRUE(again_written.ok()) << to_string(again_written.error());
+      EXPECT_EQ(again_written->file.solids, 1U);
+      EXPECT_LE(double(again_written->bytes), 1.2 * double(went->bytes));
+    }
 }
 
 /// A file that is opened and exported again is as it was: its splines are found in their pieces.

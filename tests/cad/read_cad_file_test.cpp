@@ -9,11 +9,13 @@
 #include "tests/support/temporary_folder.hpp"
 
 #ifdef HARIKO_OPENCASCADE
+#include <BRepBuilderAPI_Copy.hxx>
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_MakeWire.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
+#include <BRep_Builder.hxx>
 #include <Geom2d_Circle.hxx>
 #include <Geom_BezierSurface.hxx>
 #include <IGESCAFControl_Writer.hxx>
@@ -24,11 +26,14 @@
 #include <TColgp_Array2OfPnt.hxx>
 #include <TDataStd_Name.hxx>
 #include <TDocStd_Document.hxx>
+#include <TopExp_Explorer.hxx>
 #include <TopLoc_Location.hxx>
+#include <TopoDS_Compound.hxx>
 #include <XCAFApp_Application.hxx>
 #include <XCAFDoc_ColorTool.hxx>
 #include <XCAFDoc_DocumentTool.hxx>
 #include <XCAFDoc_ShapeTool.hxx>
+#include <array>
 #include <atomic>
 #include <gp_Trsf.hxx>
 #include <map>
@@ -244,6 +249,76 @@ TEST(ReadCadFile, AssembliesStandInTheirPlaces) {
     for (const Vector3& p : parts[k].mesh.positions) least = std::min(least, p.x());
     EXPECT_NEAR(least, k == 0 ? 0 : 10, 1e-9);
   }
+}
+
+using ColourBytes = std::array<std::uint8_t, 3>;
+constexpr std::array<ColourBytes, 2> red_and_blue{ColourBytes{255, 0, 0}, ColourBytes{0, 0, 255}};
+
+Quantity_Color colour_from(const ColourBytes& bytes) {
+  return {bytes[0] / 255.0, bytes[1] / 255.0, bytes[2] / 255.0, Quantity_TOC_sRGB};
+}
+
+/// Two boxes of 6000 mm^3, the first at zero.
+std::array<TopoDS_Shape, 2> two_boxes() {
+  return {BRepPrimAPI_MakeBox(gp_Pnt(0, 0, 0), 10, 20, 30).Shape(),
+          BRepPrimAPI_MakeBox(gp_Pnt(50, 0, 0), 10, 20, 30).Shape()};
+}
+
+void expect_boxes_in_colours(const std::vector<CadPart>& parts) {
+  ASSERT_EQ(parts.size(), 2U);
+  for (const CadPart& part : parts) {
+    Eigen::AlignedBox3d box;
+    for (const Vector3& p : part.mesh.positions) box.extend(p);
+    for (const BezierPatch& patch : part.patches)
+      for (const Vector3& p : patch.points) box.extend(p);
+    ASSERT_FALSE(box.isEmpty());
+    EXPECT_LT(box.sizes().maxCoeff(), 31) << "one box";
+    ASSERT_TRUE(part.colour.has_value());
+    EXPECT_EQ(*part.colour, red_and_blue[box.min().x() > 25 ? 1 : 0]);
+  }
+}
+
+TEST(ReadCadFile, SolidsOfOnePartWithColoursOfTheirOwnBecomeObjectsOfTheirOwn) {
+  const TemporaryFolder folder;
+  for (const bool same : {false, true}) {
+    OtherProgram other;
+    const auto boxes = two_boxes();
+    TopoDS_Compound both;
+    BRep_Builder builder;
+    builder.MakeCompound(both);
+    for (const TopoDS_Shape& box : boxes) builder.Add(both, box);
+    const TDF_Label label = other.add(both, "boxes");
+    const auto colours = XCAFDoc_DocumentTool::ColorTool(other.document->Main());
+    for (std::size_t i = 0; i < 2; ++i)
+      colours->SetColor(other.shapes->AddSubShape(label, boxes[i]), colour_from(red_and_blue[same ? 1 : i]),
+                        XCAFDoc_ColorSurf);
+    other.write(folder.path() / "a.step", "MM");
+    const auto parts = parts_of(folder.path() / "a.step");
+    if (!same) {
+      expect_boxes_in_colours(parts);
+      continue;
+    }
+    ASSERT_EQ(parts.size(), 1U) << "nothing tells the solids of the part from each other";
+    EXPECT_EQ(parts[0].colour, red_and_blue[1]);
+  }
+}
+
+TEST(ReadCadFile, BodiesSewnOfLooseFacesHaveColoursOfTheirOwn) {
+  const TemporaryFolder folder;
+  OtherProgram other;
+  const auto boxes = two_boxes();
+  const auto colours = XCAFDoc_DocumentTool::ColorTool(other.document->Main());
+  for (std::size_t i = 0; i < 2; ++i)
+    for (TopExp_Explorer face(boxes[i], TopAbs_FACE); face.More(); face.Next())
+      colours->SetColor(other.add(BRepBuilderAPI_Copy(face.Current()).Shape(), "FACE"),
+                        colour_from(red_and_blue[i]), XCAFDoc_ColorSurf);
+  IGESCAFControl_Writer writer;
+  Interface_Static::SetIVal("write.iges.brep.mode", 0);
+  writer.SetColorMode(true);
+  ASSERT_TRUE(writer.Transfer(other.document));
+  writer.ComputeModel();
+  ASSERT_TRUE(writer.Write((folder.path() / "loose.igs").c_str()));
+  expect_boxes_in_colours(parts_of(folder.path() / "loose.igs"));
 }
 
 /// A bicubic patch over the square of 3 x 3, of which a disc can be cut out.

@@ -112,6 +112,30 @@ TEST_F(ImportTest, CreaseTagsOfObjAreCreases) {
   EXPECT_EQ(run("export " + import_case("obj_crease_tags.obj") + " " + path("o.obj")).exit_code, 0);
 }
 
+TEST_F(ImportTest, CreasesStayOnARepairedMesh) {
+  const Json whole = run("info --json " + import_case("obj_crease_tags.obj")).object();
+  std::string text = read_text(source_folder() + "/tests/cases/obj_crease_tags.obj");
+  const std::size_t at = text.find("f 1 3 4 2");
+  ASSERT_NE(at, std::string::npos);
+  text.replace(at, 9, "f 2 4 3 1");
+  write_text(path("turned.obj"), text);
+  const Json repaired = run("info --json --repair " + path("turned.obj")).object();
+  EXPECT_EQ(codes_of(repaired), std::set<std::string>{"W_REPAIRED"}) << repaired;
+  EXPECT_NEAR(repaired["area"].get<double>(), whole["area"].get<double>(), 1e-9);
+  EXPECT_NEAR(repaired["volume"].get<double>(), whole["volume"].get<double>(), 1e-9);
+}
+
+TEST_F(ImportTest, CornerTagsWithoutCreasesAreNoReasonToRefuseAMesh) {
+  std::string cube = read_text(source_folder() + "/tests/cases/obj_crease_tags.obj");
+  cube.resize(cube.find("t crease"));
+  write_text(path("alone.obj"), cube + "t corner 1/1/0 4 10\nt crease 2/1/0 4 5 10\n");
+  const Json alone = run("info --json " + path("alone.obj")).object();
+  EXPECT_EQ(codes_of(alone), std::set<std::string>{"W_CORNER_LEFT_OUT"}) << alone;
+  EXPECT_GT(alone["volume"].get<double>(), 0);
+  write_text(path("met.obj"), cube + "t corner 1/1/0 4 10\nt crease 2/1/0 4 5 10\nt crease 2/1/0 6 4 10\n");
+  EXPECT_TRUE(codes_of(run("info --json " + path("met.obj")).object()).empty());
+}
+
 TEST_F(ImportTest, ObjBezierSurfacesAreSurfaces) {
   std::string text = "o sheet\n";
   for (int j = 0; j < 4; ++j)

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <set>
 
-#include "app/commands/scripts/script_session.hpp"
+#include "app/scripts/script_session.hpp"
 #include "tests/support/places.hpp"
 
 namespace hariko {

@@ -227,6 +227,26 @@ TEST_F(Scripts, UnsavedChangesAreTold) {
   EXPECT_NE(result.error.find("W_SCRIPT_UNSAVED"), std::string::npos) << result.error;
 }
 
+TEST_F(Scripts, EditsThatARecordedScriptLacksAreTold) {
+  const auto run_with = [&](int left_out) {
+    const Json all = {{"format", "hariko-script"},
+                      {"version", 1},
+                      {"left_out", left_out},
+                      {"notes", list("At the beginning an edit is missing: Knife")},
+                      {"steps", list(step("add.box"))}};
+    write_text(path("recorded.json"), all.dump());
+    return run("run " + path("recorded.json") + " --out " + path("out.hariko"));
+  };
+  const Outcome missing = run_with(2);
+  EXPECT_EQ(missing.exit_code, 0) << missing.error;
+  EXPECT_NE(missing.error.find("W_SCRIPT_LEFT_OUT"), std::string::npos) << missing.error;
+  EXPECT_NE(missing.error.find("2 edits"), std::string::npos) << missing.error;
+  EXPECT_EQ(saved("out.hariko").objects.size(), 1U);
+  const Outcome whole = run_with(0);
+  EXPECT_EQ(whole.exit_code, 0) << whole.error;
+  EXPECT_TRUE(whole.error.empty()) << whole.error;
+}
+
 TEST_F(Scripts, WhatIsNoScriptIsTold) {
   const auto refused = [&](const std::string& text, const std::string& sentence) {
     write_text(path("bad.json"), text);

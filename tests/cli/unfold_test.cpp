@@ -1,7 +1,10 @@
 // hariko unfold: files, sizes, refusals.
 
+#include <algorithm>
 #include <cmath>
 
+#include "core/document/edits/edit_objects.hpp"
+#include "core/document/file.hpp"
 #include "tests/cli/program.hpp"
 #include "tests/support/places.hpp"
 
@@ -60,6 +63,48 @@ TEST_F(Unfold, FaultsOfMeshesAreNamed) {
       << result.error;
   EXPECT_NE(result.error.find("degenerate facet 3 has zero area"), std::string::npos) << result.error;
   EXPECT_FALSE(std::filesystem::exists(path("o.svg")));
+}
+
+TEST_F(Unfold, KindsFromElsewhereAreLeftOutWithACount) {
+  PolygonMesh triangle;
+  triangle.positions = {{0, 0, 0}, {30, 0, 0}, {0, 30, 0}};
+  triangle.add_face({0, 1, 2});
+  Document document = document_from_mesh(triangle, "Sheet").value();
+  for (const char* name : {"one", "two"})
+    document =
+        add_object(document, name, UnknownSource{"dream", std::string("{\"kind\":\"dream\"}")})->document;
+  ASSERT_TRUE(save_document(document, path("a.hariko")).ok());
+  const Outcome result = run("unfold " + path("a.hariko") + " " + path("o.svg"));
+  EXPECT_EQ(result.exit_code, 0) << result.error;
+  EXPECT_NE(result.error.find("W_NOT_WRITTEN: Objects left out: 2 (\"one\", \"two\")"), std::string::npos)
+      << result.error;
+}
+
+TEST_F(Unfold, FaultsOfAKindAreOneLine) {
+  std::string text;
+  const int count = 500;
+  for (int k = 0; k < count + 2; ++k) text += "v " + std::to_string(k) + " " + std::to_string(k % 2) + " 0\n";
+  for (int k = 1; k <= count; ++k)
+    text += "f " + std::to_string(k) + " " + std::to_string(k + 1) + " " + std::to_string(k + 2) + "\n";
+  write_text(path("strip.obj"), text);
+  const Outcome refused = run("unfold " + path("strip.obj") + " " + path("o.svg"));
+  EXPECT_EQ(refused.exit_code, 1);
+  EXPECT_EQ(std::count(refused.error.begin(), refused.error.end(), '\n'), 2) << "what helps, and the fault";
+  EXPECT_NE(refused.error.find("(499 like this: edge 1-2, edge 2-3"), std::string::npos) << refused.error;
+}
+
+TEST_F(Unfold, PagesAreNotLostOnTheStandardOutput) {
+  const std::string cube = "unfold " + golden("cube.obj") + " - ";
+  const Outcome large = run(cube + "--to svg --height 400");
+  EXPECT_EQ(large.exit_code, 1) << "SVG has one page a file";
+  EXPECT_EQ(large.out, "");
+  EXPECT_NE(large.error.find("E_OUTPUT"), std::string::npos) << large.error;
+  const Outcome whole = run(cube + "--to pdf --height 400");
+  EXPECT_EQ(whole.exit_code, 0) << whole.error;
+  EXPECT_TRUE(whole.out.starts_with("%PDF"));
+  const Outcome small = run(cube + "--to svg --height 50");
+  EXPECT_EQ(small.exit_code, 0) << small.error;
+  EXPECT_TRUE(small.out.starts_with("<?xml"));
 }
 
 TEST_F(Unfold, FacesOfAnyNumberOfSidesStayWhole) {
@@ -176,6 +221,8 @@ TEST_F(Unfold, CornersThatAreNearlyEqualAreJoinedWhereThatIsAsked) {
   const Outcome loose = run(unfold);
   ASSERT_EQ(loose.exit_code, 0) << loose.error;
   EXPECT_EQ(loose.json()["components"], 6);
+  EXPECT_NE(loose.error.find("W_NEAR_CORNERS"), std::string::npos) << loose.error;
+  EXPECT_NE(loose.error.find("(--weld 0.00"), std::string::npos) << loose.error;
   const Outcome joined = run(unfold + " --weld 0.01");
   ASSERT_EQ(joined.exit_code, 0) << joined.error;
   EXPECT_EQ(joined.json()["components"], 1);

@@ -6,6 +6,7 @@
 
 #include <limits>
 
+#include "core/document/object_box.hpp"
 #include "core/network/network.hpp"
 #include "core/polyhedron/validation.hpp"
 #include "tests/document/random_documents.hpp"
@@ -217,6 +218,18 @@ TEST(Edits, ObjectProperties) {
   expect_error(set_transform(before, cube_id, bad), e_transform_invalid);
 
   EXPECT_EQ(set_unit(before, Unit::inch).unit, Unit::inch);
+}
+
+TEST(Edits, TheProposedDistanceOfPaperIsALengthInTheDocumentsUnit) {
+  Document nothing;
+  for (const Unit unit : {Unit::millimetre, Unit::centimetre, Unit::metre, Unit::inch}) {
+    nothing.unit = unit;
+    EXPECT_DOUBLE_EQ(proposed_distance(nothing, {}) * millimetres_per(unit), 0.5) << to_string(unit);
+  }
+  // One percent of a diagonal, whatever the unit.
+  const Document cube = cube_document();
+  const double diagonal = world_box(*cube.objects[0]).diagonal().norm();
+  EXPECT_NEAR(proposed_distance(cube, unfoldable_objects(cube)), 0.01 * diagonal, 0.005 * diagonal);
 }
 
 TEST(Edits, AddDeleteDuplicateAppend) {

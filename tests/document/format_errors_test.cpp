@@ -161,6 +161,23 @@ TEST(FormatErrors, Schema) {
                  "two objects have the id 1");
 }
 
+TEST(FormatErrors, AnUnknownMemberIsTheFirstErrorOfItsObject) {
+  const std::string good = tent_text();
+  expect_refused(with(good, R"("scale": 1)", R"("scale": 0, "skew": 1)"), e_schema,
+                 "objects[0].transform: the member \"skew\" is unknown");
+  const std::string two = with(good, R"("visible": true)", R"("visible": 1)");
+  expect_refused(with(two, R"("scale": 1)", R"("skew": 1)"), e_schema, "objects[0].visible: true or false");
+  // Members of another kind of anchor are none; those of no kind are.
+  const auto dimension = [&](const std::string& anchor) {
+    return with(good, R"("objects": [)",
+                R"("dimensions": [{"id": 1, "kind": "distance", "anchors": [{"point": [1, 2, 3]}, )" +
+                    anchor + R"(]}], "objects": [)");
+  };
+  EXPECT_TRUE(read_document(dimension(R"({"object": 4, "vertex": 3, "share": 0.5})")));
+  expect_refused(dimension(R"({"object": 4, "vertex": "x", "part": 0.5})"), e_schema,
+                 "dimensions[0].anchors[1]: the member \"part\" is unknown");
+}
+
 TEST(FormatErrors, ValuesThatEditsRefuseToo) {
   const std::string good = tent_text();
   expect_refused(with(good, "[3, 1], [5, 2]", "[3, -1]"), e_tension_negative, "objects[0].source.alpha[0]");

@@ -415,6 +415,22 @@ TEST(Format, FixtureOfVersion7ReadsForEver) {
   EXPECT_EQ(write_document(*read), as_written_now(text, 7));
 }
 
+/// Kinds that the fixtures of versions have not, with every member unlike its default.
+TEST(Format, EveryMemberOfTheOtherKindsHasItsPlaceInTheText) {
+  const std::string text = file_text("tests/document/fixtures/v7_kinds.hariko");
+  const Result<Document> read = read_document(text);
+  ASSERT_TRUE(read) << message_of(read);
+  EXPECT_EQ(write_document(*read), text);
+  ASSERT_EQ(read->objects.size(), 4U);
+  for (const auto& object : read->objects) EXPECT_EQ(*object->kept, (KeptMembers{{"note", "[ 1,2 ]"}}));
+  EXPECT_EQ(*read->objects[0]->patches()->kept, (KeptMembers{{"later", "true"}}));
+  EXPECT_TRUE(read->objects[1]->bezier()->kept->empty());
+  EXPECT_TRUE(read->objects[2]->outline()->kept->empty());
+  EXPECT_TRUE(read->objects[3]->skin()->kept->empty());
+  EXPECT_EQ(read->paper->kept, (KeptMembers{{"later", "{\"x\":1}"}}));
+  EXPECT_TRUE(read->kept->empty());
+}
+
 TEST(Format, LeansAndSidesOfKeptFormsAreSaved) {
   std::string text =
       with_rows_of_forms_now(as_written_now(file_text("tests/document/fixtures/v5.hariko"), 5));

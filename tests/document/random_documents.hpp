@@ -138,7 +138,7 @@ inline PolyhedronSource any_polyhedron(std::mt19937_64& rng) {
   return {any_vector(rng),
           std::move(polyhedron),
           std::move(shaping),
-          static_cast<Mode>(uniform_int(rng, 0, 2)),
+          static_cast<Mode>(uniform_int(rng, 0, 3)),
           any_kept(rng),
           any_mirror(rng),
           {chance(rng, 0.3), chance(rng, 0.3), chance(rng, 0.3) ? uniform(rng, 0, 1) : 0},
@@ -216,6 +216,11 @@ inline PaperModel any_paper(std::mt19937_64& rng) {
   paper.settings.scale = log_uniform(rng, 1e-6, 1e6);
   paper.settings.page = {uniform(rng, 50, 500), uniform(rng, 50, 500)};
   paper.settings.margin = uniform(rng, 0, 20);
+  paper.settings.gap = uniform(rng, 0, 9);
+  paper.settings.tab_height = uniform(rng, 0, 9);
+  paper.settings.least_tab = uniform(rng, 0, 9);
+  paper.settings.strip_width = uniform(rng, 0, 9);
+  paper.settings.flat_fold = uniform(rng, 0, 1);
   paper.settings.inside = chance(rng, 0.5);
   paper.settings.fold_angles = chance(rng, 0.5);
   if (chance(rng, 0.5)) paper.settings.merge_angle = uniform(rng, 0, 1);

@@ -57,6 +57,40 @@ TEST(CleanPart, NearCornersAreToldOrJoined) {
   EXPECT_EQ(strict.joined, 0U);
 }
 
+TEST(CleanPart, CornersOfLooseFacesMayBeFartherApart) {
+  ImportedPart loose;
+  loose.mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 4e-4, 0}, {1, 1, 0}, {0, 1, 4e-4}};
+  loose.mesh.add_face({0, 1, 2});
+  loose.mesh.add_face({3, 4, 5});
+  // A third face makes a surface of the first one: then its borders may lie beside others.
+  ImportedPart surface = loose;
+  surface.mesh.positions.push_back({0, 0, 1});
+  surface.mesh.add_face({1, 0, 6});
+  CleanReport told, quiet;
+  clean(loose, {}, told);
+  EXPECT_EQ(told.near, 2U);
+  EXPECT_NEAR(told.near_farthest, 4e-4, 1e-9);
+  EXPECT_EQ(loose.mesh.positions.size(), 6U) << "nobody asked for it";
+  clean(surface, {}, quiet);
+  EXPECT_EQ(quiet.near, 0U);
+  // The tolerance that is named is enough.
+  CleanReport done;
+  clean(loose, {.near = true, .distance = told.tolerance}, done);
+  EXPECT_EQ(done.near_joined, 2U);
+  // Small facets are not their own neighbours.
+  ImportedPart dense;
+  for (int k = 0; k < 40; ++k) {
+    const Vector3 at(50.0 * k, 0, 0);
+    const Index first = Index(dense.mesh.positions.size());
+    for (const Vector3& corner : {Vector3(0, 0, 0), Vector3(1, 0, 0), Vector3(0, 1, 0)})
+      dense.mesh.positions.push_back(at + corner);
+    dense.mesh.add_face({first, first + 1, first + 2});
+  }
+  CleanReport apart;
+  clean(dense, {}, apart);
+  EXPECT_EQ(apart.near, 0U);
+}
+
 TEST(CleanPart, TheFlatAndTheCollapsedTriangleOfAnStlAreDropped) {
   auto scene = read_scene_file(test::case_file("stl_one_flat_triangle.stl"));
   ASSERT_TRUE(scene.ok()) << to_string(scene.error());

@@ -18,7 +18,8 @@ namespace fs = std::filesystem;
 std::vector<std::string> files_of(const std::string& seeds, const std::vector<std::string>& endings) {
   std::vector<fs::path> paths;
   const fs::path tests = fs::path(test::source_folder()) / "tests";
-  for (const fs::path& folder : {tests / "fuzz" / "seeds" / seeds, tests / "exchange" / "fixtures"})
+  for (const fs::path& folder :
+       {tests / "fuzz" / "seeds" / seeds, tests / "exchange" / "fixtures", tests / "cases"})
     for (const auto& entry : fs::recursive_directory_iterator(folder))
       if (std::find(endings.begin(), endings.end(), entry.path().extension()) != endings.end())
         paths.push_back(entry.path());

@@ -438,6 +438,18 @@ TEST(ReadGltf, SparseAccessorsAreFilledIn) {
   EXPECT_EQ(gltf_code_of(read_gltf(with(sparse, "\"count\": 4,", "\"count\": 3,"))), "E_INDEX_RANGE");
 }
 
+TEST(ReadGltf, ACompressionWithoutPlainTrianglesIsNamed) {
+  GltfLayout layout = gltf_tetrahedron();
+  layout.extra = R"("extensionsUsed": ["KHR_draco_mesh_compression"],)";
+  const std::string beside =
+      with(layout.text(), "\"indices\": 1",
+           R"("indices": 1, "extensions": {"KHR_draco_mesh_compression": {"bufferView": 0}})");
+  EXPECT_EQ(gltf_code_of(read_gltf(beside)), "ok") << "plain triangles are there, too";
+  const auto alone = read_gltf(with(beside, R"("bufferView": 0, "type": "VEC3")", R"("type": "VEC3")"));
+  ASSERT_EQ(gltf_code_of(alone), "E_FORMAT_UNKNOWN");
+  EXPECT_NE(alone.error().text.find("KHR_draco_mesh_compression"), std::string::npos) << alone.error().text;
+}
+
 TEST(ReadGltf, ShapeKeysCountWithTheirWeightsAtRest) {
   GltfLayout layout = gltf_tetrahedron();
   const std::string keyed =

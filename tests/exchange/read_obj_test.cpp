@@ -106,6 +106,10 @@ TEST(ReadObj, ObjectsAreApartAndSoAreGroupsThatMeetNowhere) {
   EXPECT_EQ(scene->parts[0].mesh.positions.size(), 7U);
   EXPECT_EQ(scene->parts[0].name, "one");
   EXPECT_EQ(read_obj("o a\n" + triangle + "f 1 2 3\no b\nf 3 2 1\n")->mesh.face_count(), 2U);
+  // A camera without faces gives its name to nothing.
+  scene = read_obj_scene("o camera\no cube\n" + triangle + "f 1 2 3\no light\n");
+  ASSERT_EQ(scene->parts.size(), 1U);
+  EXPECT_EQ(scene->parts[0].name, "cube");
 }
 
 TEST(ReadObj, CreaseTagsOfOurOwnControlMeshesComeBack) {

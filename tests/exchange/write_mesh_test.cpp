@@ -318,6 +318,37 @@ TEST(TriangulatePolygon, ConcavePolygonsKeepTheirArea) {
   });
 }
 
+/// Half of them are reflex, and the ears of a comb are as long as the polygon: a fan would have many times
+/// the area.
+TEST(TriangulatePolygon, PolygonsOfMoreThanAHundredThousandCornersKeepTheirArea) {
+  constexpr std::size_t n = 120'002;
+  std::vector<Vector3> star, comb;
+  std::mt19937_64 rng(501);
+  for (std::size_t i = 0; i < n; ++i) {
+    const double angle = 2 * M_PI * double(i) / n, radius = i % 2 == 0 ? test::uniform(rng, 0.5, 0.8) : 1;
+    star.emplace_back(radius * std::cos(angle), radius * std::sin(angle), 0);
+  }
+  // Teeth of length 1 on a bar, turned by an angle that no axis has.
+  const double c = std::cos(0.6), s = std::sin(0.6);
+  const auto add = [&](double x, double y) { comb.emplace_back(c * x - s * y, s * x + c * y, 0); };
+  add(0, -0.1);
+  add(1, -0.1);
+  for (std::size_t i = 0; i + 2 < n; ++i)
+    add(1 - double(i) / double(n - 3), i % 2 == 0 ? 1 : test::uniform(rng, 0, 0.3));
+  for (const auto* corners : {&star, &comb}) {
+    double area = 0, sum = 0;
+    for (std::size_t i = 0; i < n; ++i) area += 0.5 * (*corners)[i].cross((*corners)[(i + 1) % n]).z();
+    const auto triangles = triangulate_polygon(*corners);
+    ASSERT_EQ(triangles.size(), n - 2);
+    for (const auto& [i, j, k] : triangles) {
+      const Vector3& at = (*corners)[i];
+      sum += 0.5 * ((*corners)[j] - at).cross((*corners)[k] - at).norm();
+    }
+    EXPECT_GT(area, 0.5);
+    EXPECT_NEAR(sum, area, 1e-8);
+  }
+}
+
 TEST(TriangulatePolygon, DegenerateAndHugePolygonsEnd) {
   EXPECT_TRUE(triangulate_polygon(std::vector<Vector3>(2, Vector3::Zero())).empty());
   EXPECT_EQ(triangulate_polygon(std::vector<Vector3>(12, Vector3(1, 2, 3))).size(), 10U);

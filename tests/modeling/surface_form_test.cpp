@@ -151,12 +151,22 @@ TEST(SurfaceForm, WithoutItNewVerticesLieOnStraightEdges) {
 
 TEST(SurfaceForm, EqualFramesHaveNone) {
   PolyhedronSource source = box();
-  EXPECT_TRUE(form_to_keep(source).has_value());
+  EXPECT_TRUE(form_to_keep(source).value().has_value());
   source.frames = Frames::equal;
-  EXPECT_FALSE(form_to_keep(source).has_value());
+  EXPECT_FALSE(form_to_keep(source).value().has_value());
   source.frames = Frames::metric;
   source.mode = Mode::paper;
-  EXPECT_FALSE(form_to_keep(source).has_value());
+  EXPECT_FALSE(form_to_keep(source).value().has_value());
+}
+
+TEST(SurfaceForm, AnErrorOfTheSurfaceIsNotTakenForNoForm) {
+  PolyhedronSource source = as_new(source_of(prism(static_cast<int>(largest_fair_side_count) + 1)));
+  const auto form = form_to_keep(source);
+  ASSERT_FALSE(form.ok());
+  EXPECT_EQ(form.error().code, e_too_many_sides);
+  source.frames = Frames::equal;
+  ASSERT_TRUE(form_to_keep(source).ok()) << "surfaces of equal frames are not kept, so none is made";
+  EXPECT_FALSE(form_to_keep(source).value().has_value());
 }
 
 TEST(SurfaceForm, SizeAndPlaceDoNotMatter) {
@@ -404,8 +414,9 @@ TEST(SurfaceForm, OfRandomShapes) {
   for_random(911, 30, [](std::mt19937_64& rng) {
     PolyhedronSource source = as_new(random_shape_source(rng));
     for (int step = 0; step < 3 && source.polyhedron.face_count() < 300; ++step) {
-      const auto form = form_to_keep(source);
-      if (!form) return;
+      const auto kept = form_to_keep(source);
+      if (!kept.ok() || !*kept) return;
+      const std::optional<SurfaceForm>& form = *kept;
       const int which = uniform_int(rng, 0, 3);
       const auto result = which == 0   ? loop_cut(source, source.polyhedron.edge_id(0), {}, &*form)
                           : which == 1 ? subdivide_faces(source, random_faces(source, rng), &*form)

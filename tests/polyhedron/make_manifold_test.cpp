@@ -116,6 +116,33 @@ TEST(MakeManifold, AFaceThatComesBackToAVertexBecomesSeveral) {
   EXPECT_EQ(repaired->mesh.face_count(), 2U);
 }
 
+TEST(MakeManifold, SplitFacesDoNotHideThatOthersWereDropped) {
+  PolygonMesh mesh;
+  mesh.positions = {{0, 0, 0}, {1, 1, 0}, {1, -1, 0}, {-1, -1, 0}, {-1, 1, 0}, {0, 0, 3}};
+  mesh.add_face({0, 1, 2, 0, 3, 4});  // becomes two
+  mesh.add_face({1, 2, 9});           // has a vertex that does not exist
+  mesh.add_face({0, 5, 0, 5});        // has no loop
+  const auto repaired = make_manifold(mesh);
+  ASSERT_TRUE(repaired.ok());
+  EXPECT_EQ(repaired->mesh.face_count(), 2U);
+  EXPECT_EQ(repaired->report.dropped_faces, 2U);
+
+  // Faces of a cube, and one whose two loops are two of them.
+  PolygonMesh doubled = cube();
+  std::vector<Index> both(doubled.face(0).begin(), doubled.face(0).end());
+  std::vector<Index> next;
+  for (std::size_t f = 1; next.empty(); ++f)
+    if (std::find(doubled.face(f).begin(), doubled.face(f).end(), both[0]) != doubled.face(f).end())
+      next.assign(doubled.face(f).begin(), doubled.face(f).end());
+  std::rotate(next.begin(), std::find(next.begin(), next.end(), both[0]), next.end());
+  both.insert(both.end(), next.begin(), next.end());
+  doubled.add_face(both);
+  const auto parted = make_manifold(doubled);
+  ASSERT_TRUE(parted.ok());
+  EXPECT_EQ(parted->mesh.face_vertices, cube().face_vertices);
+  EXPECT_EQ(parted->report.dropped_faces, 2U) << "both parts of the face were there already";
+}
+
 TEST(MakeManifold, GarbageBecomesAPolyhedronOrIsRefused) {
   int made = 0, refused = 0;
   for_random(773, 1500, [&](std::mt19937_64& rng) {

@@ -248,6 +248,24 @@ TEST(Occlusion, TheSectionOpensTheView) {
   EXPECT_FALSE(open.visible(Vector3(bottom.x(), bottom.y(), box.max().z()))) << "cut away itself";
 }
 
+TEST(Occlusion, TheSlackIsAsWideOnFineScreens) {
+  Scene scene = scene_with(cube());
+  Camera camera = Camera::standard(StandardView::top);
+  camera.distance = 20;
+  const Box3 box = scene.world_box();
+  camera.target = box.center();
+  const Projector projector(camera, picking_size);
+  const Vector3 top(box.center().x() + 0.1, box.center().y() + 0.07, box.max().z());
+  const auto below = [&](double pixels) {
+    return Vector3(top - pixels * projector.pixel_length_at(top) * Vector3::UnitZ());
+  };
+  EXPECT_TRUE(Occlusion(scene, projector).visible(below(0.6 * hiding_slack_pixels)));
+  EXPECT_FALSE(Occlusion(scene, projector).visible(below(1.5 * hiding_slack_pixels)));
+  scene.pixel_scale = 2;
+  EXPECT_TRUE(Occlusion(scene, projector).visible(below(1.5 * hiding_slack_pixels)));
+  EXPECT_FALSE(Occlusion(scene, projector).visible(below(3 * hiding_slack_pixels)));
+}
+
 TEST(Picking, BoxesTakeWhatIsInsideOrTouched) {
   const Scene scene = scene_with(grid(3, 3));
   const Projector projector = view_of(scene, StandardView::top);

@@ -335,6 +335,46 @@ TEST_F(RendererTest, ASubRangeUpdateEqualsAFullUpload) {
   EXPECT_NE(updated.rgba, before.rgba);
 }
 
+TEST_F(RendererTest, ADragUploadsWhatItMovesAndNoCurves) {
+  const auto field = [](double lift) {
+    return height_field(20, 10, [=](Index i, Index j) { return plane(0, 0, i == 7 && j == 4 ? lift : 0.0); });
+  };
+  Scene scene = plain(object_of(field(0), SurfaceMap::shaded, 8));
+  scene.objects[0].show_network = true;
+  const Camera camera = looking(scene, StandardView::iso);
+  draw(scene, camera, picture_size);
+  for (const double lift : {0.4, 0.8}) {
+    const DisplayMesh& mesh = *scene.objects[0].mesh;
+    const std::size_t chunk =
+        DisplayMesh::patches_per_chunk * mesh.vertices_per_patch() * sizeof(DisplayVertex);
+    scene.objects[0].mesh = mesh.refreshed(field(lift), std::vector<Index>{4 * 20 + 7});
+    draw(scene, camera, picture_size);
+    EXPECT_EQ(renderer_->statistics().uploaded_bytes, chunk);
+  }
+}
+
+TEST_F(RendererTest, TheTimeOfAPictureComesOnceAndLater) {
+  Scene scene = plain(object_of(sphere(1), SurfaceMap::shaded, 16));
+  const Camera camera = looking(scene, StandardView::iso);
+  DrawOptions options{picture_size, 2};
+  const auto time_of = [&](bool timed) {
+    options.timed = timed;
+    EXPECT_TRUE(renderer_->draw(scene, camera, options).ok());
+    renderer_->finish();
+    return renderer_->statistics().time;
+  };
+  EXPECT_FALSE(time_of(false));
+  EXPECT_FALSE(time_of(true)) << "nothing was timed before";
+  options.samples = 1;
+  const auto first = time_of(true), second = time_of(false);
+  ASSERT_TRUE(first && second);
+  EXPECT_EQ(first->samples, 2);
+  EXPECT_EQ(second->samples, 1);
+  EXPECT_GT(first->milliseconds, 0);
+  EXPECT_LT(first->milliseconds, 60'000);
+  EXPECT_FALSE(time_of(false));
+}
+
 TEST_F(RendererTest, FarFromZeroLooksLikeNear) {
   Scene near_scene = plain(golden_object("fig2.obj", SurfaceMap::zebra)), far_scene = near_scene;
   const Camera camera = looking(near_scene, StandardView::iso);

@@ -15,6 +15,7 @@
 #include "core/skinning/edit/edit_section.hpp"
 #include "core/skinning/evaluate_skin.hpp"
 #include "core/skinning/sections/section_direction.hpp"
+#include "tests/skinning/skin_inputs.hpp"
 #include "tests/support/random.hpp"
 
 namespace hariko {
@@ -70,6 +71,16 @@ TEST(SectionStarts, EqualCirclesAreACylinderWhereverTheyBegin) {
         skin.method = method;
         EXPECT_NEAR(area_of(skin), 2400.8, 0.1);
       }
+}
+
+TEST(SectionStarts, TheHourglassOfTheComplaintIsACylinder) {
+  const auto read = read_skin_layout(data_text("two_circles_start_180.json"));
+  ASSERT_TRUE(read.ok()) << to_string(read.error());
+  for (const SkinMethod method : methods) {
+    Skin skin = *read;
+    skin.method = method;
+    EXPECT_NEAR(area_of(skin), 2400.8, 0.1) << int(method);
+  }
 }
 
 TEST(SectionStarts, SoDoesALongerTubeOfOtherCounts) {

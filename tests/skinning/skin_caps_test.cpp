@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "core/skinning/evaluate_skin.hpp"
+#include "tests/skinning/skin_inputs.hpp"
 #include "tests/support/random.hpp"
 
 namespace hariko {
@@ -101,6 +102,66 @@ TEST(SkinCaps, EndSectionsStayOnTheSurfaceUnderADome) {
         }
       }
     });
+}
+
+/// Circles about the z axis at even heights from 0 to 40, with as many points and radii as are given; each
+/// begins elsewhere.
+Skin unequal_tube(const std::vector<std::pair<int, double>>& circles) {
+  Skin skin;
+  for (int i = 0; i < 4; ++i) skin.path.points.push_back(Vector3(0, 0, 40.0 * i / 3));
+  for (std::size_t k = 0; k < circles.size(); ++k) {
+    SkinSection section;
+    section.id = std::uint32_t(k);
+    section.v = double(k) / double(circles.size() - 1);
+    section.closed = true;
+    const auto [points, radius] = circles[k];
+    for (int i = 0; i < points; ++i) {
+      const double a = 0.4 * double(k) + 2 * std::numbers::pi * i / points;
+      section.points.push_back({std::uint32_t(100 * k) + std::uint32_t(i),
+                                Vector3(radius * std::cos(a), radius * std::sin(a), 40 * section.v), false});
+    }
+    skin.sections.push_back(section);
+  }
+  skin.caps = Caps::dome;
+  return skin;
+}
+
+void expect_round_domes_through_sections(const Skin& skin) {
+  const auto made = SkinSurfacer().surface(skin, Vector3::Zero());
+  ASSERT_TRUE(made.ok()) << to_string(made.error());
+  EXPECT_TRUE(made->surface.boundary_sides().empty());
+  const auto misses = section_misses(skin, made->result.mesh, made->surface);
+  ASSERT_EQ(misses.size(), skin.sections.size());
+  for (const SectionMiss& miss : misses) EXPECT_LT(miss.largest, 1e-9);
+  // Both domes are highest at the axis: a dent would be lower there than round it.
+  for (const bool top : {true, false}) {
+    double radius = 0, height = 0, where = 0;
+    for (const SectionPoint& p : (top ? skin.sections.back() : skin.sections.front()).points)
+      radius = std::max(radius, p.position.head<2>().norm());
+    for (Index patch = 0; patch < made->surface.patch_count(); ++patch)
+      for (int i = 0; i <= 8; ++i)
+        for (int j = 0; j <= 8; ++j) {
+          const Vector3 p =
+              made->surface.patches().evaluate(patch, Vector2(i / 8.0, j / 8.0), Order::first).position;
+          const double above = top ? p.z() - 40 : -p.z();
+          if (above > height) height = above, where = p.head<2>().norm();
+        }
+    EXPECT_GT(height, 0.2 * radius) << (top ? "top" : "bottom");
+    EXPECT_LT(height, 0.5 * radius) << (top ? "top" : "bottom");
+    EXPECT_LT(where, 0.2 * radius) << (top ? "top" : "bottom");
+  }
+}
+
+TEST(SkinCaps, DomesOverUnequalSectionsPassThroughThem) {
+  const auto complaint = read_skin_layout(data_text("dome_unequal_sections.json"));
+  ASSERT_TRUE(complaint.ok()) << to_string(complaint.error());
+  expect_round_domes_through_sections(*complaint);
+  using Circles = std::vector<std::pair<int, double>>;
+  for (const Circles& circles : {Circles{{7, 8}, {12, 14}, {5, 6}}, Circles{{6, 10}, {13, 10}},
+                                 Circles{{8, 5}, {11, 12}, {17, 9}, {6, 4}}}) {
+    SCOPED_TRACE(std::to_string(circles.front().first) + " to " + std::to_string(circles.back().first));
+    expect_round_domes_through_sections(unequal_tube(circles));
+  }
 }
 
 TEST(SkinCaps, FlatOnesLieInThePlaneOfTheirSection) {

@@ -5,9 +5,12 @@
 #include <gtest/gtest.h>
 
 #include <cstring>
+#include <variant>
 
 #include "core/surface/adjacency.hpp"
+#include "core/surface/tensor_bezier.hpp"
 #include "core/surface/tessellation.hpp"
+#include "core/surface/triangle_net.hpp"
 #include "tests/support/random.hpp"
 
 namespace hariko {
@@ -84,6 +87,33 @@ TEST(BicubicPatch, GridsAreTheSinglePoints) {
       EXPECT_LT((positions[k * count + i] - single.position).norm(), 1e-14);
       EXPECT_LT((normals[k * count + i] - unit_normal(single)).norm(), 1e-13);
     }
+}
+
+TEST(BicubicPatch, TheExactFormIsThePatch) {
+  for_random(607, 20, [](std::mt19937_64& rng) {
+    const BicubicPatchSet set(random_net(rng, 3, 2));
+    const GridPattern pattern{Domain::square, 5};
+    const auto count = std::size_t(pattern.point_count());
+    std::vector<PatchPoint> points(count), others(count);
+    std::vector<Vector3> positions(count), normals(count), other_positions(count), other_normals(count);
+    for (Index p = 0; p < set.patch_count(); ++p) {
+      const auto form = std::get<BicubicPatch>(set.exact_form(p));
+      const BezierPatchSet same({{3, 3, {form.controls.begin(), form.controls.end()}, {}}});
+      const std::vector<Index> one{p}, first{0};
+      set.evaluate_grid(one, pattern, points);
+      same.evaluate_grid(first, pattern, others);
+      set.evaluate_grid(one, pattern, positions, normals);
+      same.evaluate_grid(first, pattern, other_positions, other_normals);
+      for (std::size_t i = 0; i < count; ++i) {
+        EXPECT_LT((points[i].position - others[i].position).norm(), 1e-13);
+        EXPECT_LT((points[i].dst - others[i].dst).norm(), 1e-12);
+        EXPECT_LT((positions[i] - other_positions[i]).norm(), 1e-13);
+        EXPECT_LT((normals[i] - other_normals[i]).norm(), 1e-12);
+      }
+      EXPECT_EQ(std::get<BezierPatch>(same.exact_form(0)), same.patch(0));
+      EXPECT_EQ(polynomial_degree(set, p), polynomial_degree(same, 0));
+    }
+  });
 }
 
 TEST(BicubicPatch, SeamsHaveTheSameBitsOnBothSides) {

@@ -105,6 +105,26 @@ TEST_F(Arranging, ARowOfARowIsAGrid) {
           << i << ", " << j;
 }
 
+/// Copies reached out of the view, and nothing showed them.
+TEST_F(Arranging, CopiesComeIntoSight) {
+  bench_.wait_for_surfaces();
+  run("view.frame_all");
+  for (int i = 0; i < 20; ++i) bench_.frame();
+  for (const char* id : {"object.array_row", "object.mirror_copy_x", "object.array_ring"}) {
+    SCOPED_TRACE(id);
+    run(id);
+    for (int i = 0; i < 20; ++i) bench_.frame();  // and the flight
+    const Projector projector(editor().camera(), editor().viewport);
+    for (const auto& object : objects()) {
+      const auto at = projector.project(shown_box(editor(), *object).center());
+      ASSERT_TRUE(at);
+      EXPECT_TRUE(at->x() >= 0 && at->x() <= editor().viewport.width && at->y() >= 0 &&
+                  at->y() <= editor().viewport.height)
+          << object->name;
+    }
+  }
+}
+
 TEST_F(Arranging, NumbersThatAreRefusedChangeNothing) {
   run("object.array_row");
   const Document before = editor().document();

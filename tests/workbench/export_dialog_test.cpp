@@ -1,12 +1,16 @@
-// The dialog that exports for CAD: what is typed in it holds when it opens again, and is what is exported.
+// The dialogs of exports: what is typed for CAD holds when the dialog opens again, and is what is exported;
+// what a format of few digits cannot hold is said, with the way out.
 
 #include <gtest/gtest.h>
 
+#include <optional>
 #include <vector>
 
+#include "app/jobs/export_triangles.hpp"
 #include "core/cad/kernel/cad_file.hpp"
 #include "core/document/edits/edits.hpp"
 #include "tests/support/random_polyhedra.hpp"
+#include "tests/support/temporary_folder.hpp"
 #include "tests/workbench/headless_workbench.hpp"
 
 namespace hariko {
@@ -105,6 +109,42 @@ TEST_F(ExportDialog, TheToleranceGrowsWithTheScale) {
   open();
   EXPECT_EQ(settings().choices.scale, 0.5);
   EXPECT_EQ(settings().choices.tolerance, 0.01);
+}
+
+/// Triangles are counted as the application does it, at once.
+struct TriangleCounts final : test::NoServices {
+  void count_export(const std::filesystem::path& path, const ExportSettings& settings) override {
+    last.emplace(count_triangles(bench->editor().document(), path, settings, {}));
+    bench->workbench().files().take_export_count(settings, *last);
+  }
+  HeadlessWorkbench* bench = nullptr;
+  std::optional<Result<ExportCount>> last;
+};
+
+TEST(TriangleDialog, MovesToZeroWhatTheFormatCannotHoldWhereItIs) {
+  Similarity far;
+  far.translation = {500000.123, 5123456.789, 0};
+  const Document at_zero = document_from_mesh(test::prism(4), "Box").value();
+  TriangleCounts counts;
+  HeadlessWorkbench bench(set_transform(at_zero, at_zero.objects.front()->id, far).value(), {1280, 800},
+                          &counts);
+  counts.bench = &bench;
+  const auto shows = [&](const char* mark) { return bench.workbench().marks().all().contains(mark); };
+  const test::TemporaryFolder folder;
+  ASSERT_TRUE(bench.workbench().commands().run("file.export").ran);
+  for (int i = 0; i < 6; ++i) bench.frame();
+  EXPECT_TRUE(shows("export.result")) << "OBJ has digits enough";
+  bench.type((folder.path() / "a.stl").string());  // the name has the keyboard first
+  for (int i = 0; i < 3; ++i) bench.frame();
+  ASSERT_TRUE(counts.last && !counts.last->ok());
+  EXPECT_EQ(counts.last->error().code, Code{"E_FILE_DIGITS"});
+  EXPECT_NE(counts.last->error().remedy.find("move to zero"), std::string::npos);
+  EXPECT_FALSE(shows("export.result"));
+  bench.click("export.zero");
+  for (int i = 0; i < 3; ++i) bench.frame();
+  ASSERT_TRUE(counts.last->ok()) << to_string(counts.last->error());
+  EXPECT_GT(counts.last->value().triangles, 0U);
+  EXPECT_TRUE(shows("export.result"));
 }
 
 }  // namespace

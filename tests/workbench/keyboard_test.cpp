@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 #include <imgui_internal.h>
 
+#include <set>
+
 #include "core/document/edits/edits.hpp"
 #include "tests/support/random_polyhedra.hpp"
 #include "tests/workbench/headless_workbench.hpp"
@@ -107,6 +109,32 @@ TEST_F(Keyboard, PreferencesStayInsideOfTheWindowAtEveryScale) {
       EXPECT_GE(rect.y, 0);
       EXPECT_LE(rect.x + rect.width, int(width));
       EXPECT_LE(rect.y + rect.height, width == 800 ? 600 : 800);
+    }
+  }
+}
+
+/// At 250 % in a small window the way back to another scale was out of reach.
+TEST_F(Keyboard, PreferencesCanBeReachedAtEveryScale) {
+  bench_.workbench().commands().run("edit.preferences");
+  ImGui::GetIO().DisplaySize = {800, 600};
+  for (const float scale : {1.0F, 1.5F, 2.5F}) {
+    SCOPED_TRACE(scale);
+    bench_.set_scale(scale);
+    frames();
+    for (const auto& [page, fields] :
+         {std::pair("interface", std::set<std::string>{"theme.dark", "scale.100", "scale.250"}),
+          {"navigation", {"navigation.Rhino", "turntable", "orbit_speed"}}}) {
+      SCOPED_TRACE(page);
+      bench_.click(std::string("preferences.page.") + page);
+      frames();
+      const Marks::Rect dialog = marks().at("preferences");
+      for (const std::string& field : fields) {
+        ASSERT_TRUE(marks().contains("preferences." + field)) << field;
+        const Marks::Rect rect = marks().at("preferences." + field);
+        EXPECT_GE(rect.x, dialog.x) << field;
+        EXPECT_LE(rect.x + rect.width, dialog.x + dialog.width) << field;
+        EXPECT_GE(rect.width, int(20 * scale)) << field;
+      }
     }
   }
 }
@@ -225,6 +253,30 @@ TEST_F(Keyboard, ThePaletteFindsSettingsAndNotWhatMerelySoundsAlike) {
   EXPECT_TRUE(has("draft", "analyse.draft"));
   EXPECT_FALSE(has("group", "skin.correspond"));
   EXPECT_TRUE(found("boolean").empty()) << found("boolean").front();
+}
+
+TEST_F(Keyboard, ThePaletteRunsASettingAndShowsNothingForWhatIsNotThere) {
+  const auto rows = [&] {
+    std::set<std::string> out;
+    for (const auto& [mark, rect] : marks())
+      if (mark.starts_with("palette.") && mark != "palette.input") out.insert(mark);
+    return out;
+  };
+  const auto ask = [&](const char* text) {
+    bench_.tap("F3");
+    frames();
+    bench_.type(text);
+    frames();
+  };
+  ask("boolean");
+  EXPECT_TRUE(rows().empty()) << *rows().begin();
+  bench_.tap("Esc");
+  frames();
+  ask("orbit speed");
+  EXPECT_TRUE(rows().contains("palette.selected.property.preferences.orbit_speed"));
+  bench_.tap("Enter");
+  frames(8);
+  EXPECT_TRUE(marks().contains("preferences.orbit_speed")) << "the page with the setting";
 }
 
 }  // namespace

@@ -78,6 +78,7 @@ bool may_be_quiet(const Command& command) {
                                            "view.keep_probe",
                                            "view.frame_times",
                                            "paper.unfold",
+                                           "plane.look",
                                            "recompute.now",
                                            "outline.select_loops",
                                            "shape.reset_tension",

@@ -242,6 +242,38 @@ TEST_F(Measure, ALabelIsDragged) {
   EXPECT_DOUBLE_EQ(value(), 100) << "the value does not care";
 }
 
+/// Labels of dimensions at one place lay over each other.
+TEST_F(Measure, LabelsStandBesideEachOther) {
+  for (int i = 0; i < 3; ++i) measure_edge();
+  bench.key("Ctrl+Alt+D");
+  click({0, 0, 50});
+  bench.key("Enter");
+  bench.frame();
+  ASSERT_EQ(dimensions().size(), 4U);
+  std::vector<Marks::Rect> labels;
+  for (const auto& [mark, rect] : bench.workbench().marks().all())
+    if (mark.starts_with("dimension.")) labels.push_back(rect);
+  ASSERT_EQ(labels.size(), 4U);
+  for (std::size_t i = 0; i < labels.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j) {
+      const bool apart =
+          labels[i].x >= labels[j].x + labels[j].width || labels[j].x >= labels[i].x + labels[i].width ||
+          labels[i].y >= labels[j].y + labels[j].height || labels[j].y >= labels[i].y + labels[i].height;
+      EXPECT_TRUE(apart) << i << " lies over " << j;
+    }
+  // One that made way goes on from there when it is dragged.
+  const Marks::Rect last = bench.workbench().marks().all().at("dimension.3");
+  const double x = last.x + last.width / 2.0, y = last.y + last.height / 2.0;
+  bench.move(x, y);
+  bench.press();
+  bench.move(x + 60, y - 120);
+  bench.move(x + 80, y - 160);
+  bench.release();
+  bench.frame();
+  EXPECT_NEAR(bench.workbench().marks().all().at("dimension.3").x, last.x + 80, 2);
+  EXPECT_NEAR(bench.workbench().marks().all().at("dimension.3").y, last.y - 160, 2);
+}
+
 TEST_F(Measure, TheListShowsCopiesAndDeletes) {
   measure_edge();
   bench.move(5, 5);

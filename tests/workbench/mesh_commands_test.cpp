@@ -37,6 +37,30 @@ class MeshCommands : public ::testing::Test {
   }
 };
 
+TEST(MeshCommandsWithoutASurface, RefinementsSayThatTheyDoNotKeepIt) {
+  // Faces with more sides than the surface takes.
+  Document document = document_from_mesh(test::prism(129), "Prism").value();
+  const ObjectId object = document.objects[0]->id;
+  HeadlessWorkbench bench{set_frames(document, object, Frames::metric).value()};
+  Editor& editor = bench.editor();
+  const auto& edge = editor.active_object()->polyhedron()->polyhedron.edge_id(0);
+  editor.mode = ElementMode::edge;
+  editor.selection.select({object, element_of(edge)}, Selection::How::replace);
+  ASSERT_TRUE(bench.workbench().commands().run("mesh.subdivide").ran);
+  EXPECT_EQ(editor.history.undo_label(), "Subdivide edges");
+  ASSERT_FALSE(editor.notices().empty());
+  EXPECT_EQ(editor.notices().back().kind, Notice::Kind::warning);
+  EXPECT_NE(editor.notices().back().text.find("straight edges"), std::string::npos)
+      << editor.notices().back().text;
+  EXPECT_NE(editor.notices().back().remedy.find("129 sides"), std::string::npos)
+      << editor.notices().back().remedy;
+  editor.undo();
+  editor.notices().clear();
+  editor.settings.refine_on_surface = false;
+  ASSERT_TRUE(bench.workbench().commands().run("mesh.subdivide").ran);
+  EXPECT_TRUE(editor.notices().empty()) << "straight edges were asked for";
+}
+
 TEST_F(MeshCommands, MergeWhereTheFirstTheLastOrTheirCentreIs) {
   const Document before = editor.document();
   const Vector3 a = place(0), b = place(1);

@@ -38,6 +38,8 @@ class NoServices : public ApplicationServices {
   void add_section(ObjectId, double) override {}
   void record(const std::filesystem::path&) override {}
   void stop_recording() override {}
+  void record_script(const std::filesystem::path&) override {}
+  void stop_script() override {}
   void give_picture(Sample&) override {}
   void quit() override {}
 };

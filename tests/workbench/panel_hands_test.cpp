@@ -184,6 +184,36 @@ TEST_F(PanelHands, RowsUnderThePointerStayWhenRowsAboveGo) {
   EXPECT_LT(marks().at("combo.map").y, before.y);
 }
 
+/// Rows of the surface's state went while it was made anew, and those below jumped.
+TEST_F(PanelHands, RowsStayWhileASolidIsDragged) {
+  run("solid.box");
+  run("solid.sphere");
+  ASSERT_TRUE(marks().contains("solids.contains"));
+  const auto rows = [&] {
+    std::map<std::string, int> out;
+    for (const auto& [mark, rect] : marks())
+      if (mark.starts_with("field.") || mark.starts_with("solids.") || mark.starts_with("combo."))
+        out[mark] = rect.y;
+    return out;
+  };
+  const auto before = rows();
+  const Solid ball = editor().active_object()->solids()->input->solids.back();
+  const ImVec2 corner = bench_.workbench().viewport().rect().min;
+  const Vector2 at = Projector(editor().camera(), editor().viewport).project(ball.position)->head<2>() +
+                     Vector2(double(corner.x) - 8, double(corner.y) + 8);
+  bench_.move(at.x(), at.y());
+  bench_.press();
+  for (int i = 1; i <= 6; ++i) {
+    bench_.move(at.x() + 12 * i, at.y() + 8 * i);
+    EXPECT_EQ(rows(), before) << "step " << i;
+  }
+  bench_.release();
+  bench_.frame();
+  EXPECT_EQ(rows(), before) << "released";
+  bench_.wait_for_surfaces();
+  EXPECT_EQ(rows(), before) << "ready";
+}
+
 /// The tip that is shown now; null for none.
 const ImGuiWindow* tip() {
   for (const ImGuiWindow* window : GImGui->Windows)

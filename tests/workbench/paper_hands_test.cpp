@@ -12,6 +12,7 @@
 #include "tests/workbench/headless_workbench.hpp"
 #include "ui/editor/object_size.hpp"
 #include "ui/editor/paper_edits.hpp"
+#include "ui/paper/paper_drawing.hpp"
 
 namespace hariko {
 namespace {
@@ -73,6 +74,29 @@ TEST_F(PaperHands, APieceBeyondTheMarginIsToldAndCanBeRefused) {
   ASSERT_TRUE(asked());
   bench_.click("prompt.export");
   for (int i = 0; i < 3; ++i) bench_.frame();
+  EXPECT_TRUE(dialog());
+}
+
+TEST_F(PaperHands, PiecesOverEachOtherAreToldAndCanBeArranged) {
+  Index fold = no_index;
+  for (Index e = 0; e < pages().graph->edge_count() && fold == no_index; ++e)
+    if (!pages().graph->edge(e).border() && !pages().graph->edge(e).inner && pages().folds[e]) fold = e;
+  ASSERT_NE(fold, no_index);
+  show(split_at(pages(), fold).value());
+  const PaperLayout& split = *bench_.editor().paper.layout;
+  ASSERT_GE(pages().pieces.size(), 2U);
+  const PieceBox a = box_of(split, 0), b = box_of(split, 1);
+  show(move_piece(pages(), 1, a.page, (a.low + a.high - b.low - b.high) / 2));
+  ASSERT_GT(bench_.editor().paper.layout->overlaps, 0U);
+  ASSERT_TRUE(asked());
+  EXPECT_FALSE(dialog());
+  EXPECT_NE(bench_.workbench().question()->text.find("overlaps: "), std::string::npos)
+      << bench_.workbench().question()->text;
+  bench_.click("prompt.arrange");
+  for (int i = 0; i < 3; ++i) bench_.frame();
+  EXPECT_FALSE(dialog()) << "one looks at the pages first";
+  EXPECT_EQ(bench_.editor().paper.layout->overlaps, 0U);
+  EXPECT_FALSE(asked());
   EXPECT_TRUE(dialog());
 }
 

@@ -2,8 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "core/document/edits/edits.hpp"
 #include "core/document/file.hpp"
+#include "render/shown_edges.hpp"
 #include "tests/support/places.hpp"
 #include "tests/support/random_polyhedra.hpp"
 #include "tests/workbench/headless_workbench.hpp"
@@ -139,6 +142,71 @@ TEST_F(PickingOnSurface, DoubleClicksAndBoxesActOnCurves) {
   EXPECT_EQ(editor.selection.of_active().edges, std::set<EdgeId>{id});
 }
 
+/// A lasso takes what lies inside of it: the curve that one sees, not the straight line below.
+TEST_F(PickingOnSurface, ALassoTakesTheCurvesInsideOfIt) {
+  const Index e = arched_edge();
+  ASSERT_NE(e, no_index);
+  const EdgeId id = shown().polyhedron->edge_id(e);
+  const std::vector<Vector3> curve = shown_curve(shown(), e);
+  ASSERT_GE(curve.size(), 3U);
+  set_shown(false, true);
+  editor.selecting.through = true;  // the ends may be hidden
+  bench.key("Q");
+  ASSERT_TRUE(editor.selecting.lasso);
+  const auto chosen_by_lasso_round = [&](const std::vector<Vector3>& line) {
+    editor.selection.clear_elements();
+    std::vector<Vector2> path;
+    constexpr double wide = 6;
+    for (const int side : {1, -1})
+      for (std::size_t k = 0; k < line.size(); ++k) {
+        const std::size_t i = side > 0 ? k : line.size() - 1 - k;
+        const Vector2 along =
+            (window_pixel(line[std::min(i + 1, line.size() - 1)]) - window_pixel(line[i > 0 ? i - 1 : 0]))
+                .normalized();
+        const double cap = i == 0 ? -wide : i + 1 == line.size() ? wide : 0;
+        path.push_back(window_pixel(line[i]) + cap * along + side * wide * Vector2(-along.y(), along.x()));
+      }
+    bench.workbench().commands().run("select.box");
+    bench.frame();
+    bench.move(path.front().x(), path.front().y());
+    bench.press();
+    for (const Vector2& at : path) bench.move(at.x(), at.y());
+    bench.release();
+    bench.frame();
+    return editor.selection.of_active().edges;
+  };
+  EXPECT_EQ(chosen_by_lasso_round(curve), std::set<EdgeId>{id});
+  EXPECT_TRUE(chosen_by_lasso_round({curve.front(), curve.back()}).empty())
+      << "round the straight line, which nobody sees";
+}
+
+TEST_F(PickingOnSurface, PartsOfSelectedCurvesBehindTheSurfaceAreFaint) {
+  set_shown(false, true);
+  Index hidden = no_index;
+  for (Index e = 0; e < shown().polyhedron->edges.size() && hidden == no_index; ++e) {
+    const std::vector<Vector3> curve = shown_curve(shown(), e);
+    const bool behind =
+        std::none_of(curve.begin(), curve.end(), [&](const Vector3& point) { return in_sight(point); });
+    if (!curve.empty() && behind) hidden = e;
+  }
+  ASSERT_NE(hidden, no_index) << "all curves are in sight";
+  bench.move(2, 2);
+  bench.frame();
+  const Image before = bench.renderer().read(0);
+  const int bright = count_like(selection_colour);
+  editor.selection.select({editor.selection.active, element_of(shown().polyhedron->edge_id(hidden))},
+                          Selection::How::replace);
+  editor.transform.gizmo = false;  // stands at its middle
+  bench.frame();
+  bench.frame();
+  const Image after = bench.renderer().read(0);
+  ASSERT_EQ(after.rgba.size(), before.rgba.size());
+  int changed = 0;
+  for (std::size_t i = 0; i < after.rgba.size(); i += 4) changed += after.rgba[i] != before.rgba[i] ? 1 : 0;
+  EXPECT_GT(changed, 100) << "it is not seen at all";
+  EXPECT_LT(count_like(selection_colour), bright + changed / 10) << "as if it lay before the surface";
+}
+
 TEST_F(PickingOnSurface, SelectedEdgesShowOverTheSurface) {
   set_shown(false, true);
   bench.frame();
@@ -148,6 +216,27 @@ TEST_F(PickingOnSurface, SelectedEdgesShowOverTheSurface) {
   bench.frame();
   // The curves in sight alone are some thousand pixels long, and lines four pixels wide.
   EXPECT_GT(count_like(selection_colour), before + 3000);
+}
+
+TEST_F(PickingOnSurface, ASelectedCreaseIsNoLongerRed) {
+  const Index e = arched_edge();
+  ASSERT_NE(e, no_index);
+  const EdgeId id = shown().polyhedron->edge_id(e);
+  set_shown(false, true);
+  editor.transform.gizmo = false;
+  editor.commit(set_crease(editor.history.current(), editor.selection.active, std::vector{id}, true),
+                "Crease");
+  bench.wait_for_surfaces();
+  bench.move(2, 2);
+  bench.frame();
+  constexpr const char* crease_colour = "#c2185b";
+  const int red = count_like(crease_colour, 60), orange = count_like(selection_colour);
+  ASSERT_GT(red, 30) << "the crease is not seen";
+  editor.selection.select({editor.selection.active, element_of(id)}, Selection::How::replace);
+  bench.frame();
+  bench.frame();
+  EXPECT_LT(count_like(crease_colour, 60), red / 2);
+  EXPECT_GT(count_like(selection_colour) - orange, red / 2) << "as much as the crease was";
 }
 
 TEST_F(PickingOnSurface, FacesAreTintedOnTheSurfaceAlone) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "core/document/edits/edit_skin.hpp"
 #include "core/skinning/columns/simple_skin.hpp"
@@ -153,6 +154,64 @@ TEST_F(SectionHands, ASectionIsDrawnFromAShapeAndNumbers) {
   for (const Vector3& p : limit_points(drawn->curve())) box.extend(Vector3(axes.transpose() * p));
   EXPECT_NEAR(box.sizes().x(), 40, 0.4);
   EXPECT_NEAR(box.sizes().y(), 20, 0.4);
+}
+
+TEST_F(SectionHands, CirclesRectanglesAndTheNearestSectionCanBeBegunWith) {
+  bench_.workbench().commands().run("skin.close_sections");
+  bench_.wait_for_surfaces();
+  const auto& marks = bench_.workbench().marks().all();
+  const Skin before = skin();
+  const auto drawn = [&](std::initializer_list<const char*> keys) {
+    bench_.workbench().commands().run("skin.draw_section");
+    for (int i = 0; i < 20; ++i) bench_.frame();  // the view has flown back
+    const Marks::Rect a = marks.at("skin.path.0"), b = marks.at("skin.path.1");
+    bench_.move((a.x + b.x + a.width) / 2.0, (a.y + b.y + a.height) / 2.0);
+    bench_.press();
+    bench_.release();
+    for (int i = 0; i < 20; ++i) bench_.frame();
+    press(keys);
+    press({"Enter"});
+    EXPECT_EQ(skin().sections.size(), before.sections.size() + 1) << bench_.workbench().viewport().hint();
+    SkinSection out;
+    for (const SkinSection& section : skin().sections)
+      if (std::none_of(before.sections.begin(), before.sections.end(),
+                       [&](const SkinSection& old) { return old.v == section.v; }))
+        out = section;
+    return out;
+  };
+  const auto sizes = [&](const SkinSection& section) {
+    const Matrix3 axes = upright_axes(section_direction_of_view(skin(), section));
+    Box3 box;
+    for (const Vector3& p : limit_points(section.curve())) box.extend(Vector3(axes.transpose() * p));
+    return box.sizes();
+  };
+  const auto undo = [&] {
+    editor().undo();
+    bench_.wait_for_surfaces();
+  };
+
+  const SkinSection circle = drawn({"O", "4", "0", "Enter"});
+  EXPECT_NEAR(sizes(circle).x(), 40, 0.4);
+  EXPECT_NEAR(sizes(circle).y(), 40, 0.4);
+  undo();
+  const SkinSection rectangle = drawn({"R", "4", "0", "Tab", "2", "0", "Enter"});
+  EXPECT_NEAR(sizes(rectangle).x(), 40, 0.01);
+  EXPECT_NEAR(sizes(rectangle).y(), 20, 0.01);
+  EXPECT_EQ(std::count_if(rectangle.points.begin(), rectangle.points.end(),
+                          [](const SectionPoint& point) { return point.sharp; }),
+            4);
+  undo();
+  // Distances between all points, whichever of them is the first.
+  const auto distances = [](const SkinSection& section) {
+    std::vector<double> out;
+    for (const SectionPoint& a : section.points)
+      for (const SectionPoint& b : section.points) out.push_back((a.position - b.position).norm());
+    std::sort(out.begin(), out.end());
+    return out;
+  };
+  const std::vector<double> nearest = distances(before.sections.front()), like = distances(drawn({"N"}));
+  ASSERT_EQ(like.size(), nearest.size());
+  for (std::size_t i = 0; i < like.size(); ++i) EXPECT_NEAR(like[i], nearest[i], 1e-6 * (1 + nearest[i]));
 }
 
 /// A skin that is drawn from nothing, in an empty view.

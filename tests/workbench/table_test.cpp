@@ -41,11 +41,15 @@ TEST(Table, EveryCommandIsNamedExplainedAndTranslated) {
   }
 }
 
+/// Besides, what is caught can change in the middle of a tool, and a script can end; the working plane stays.
 TEST(Table, WhileAToolRunsKeysOfTheViewAndOfHelpWorkAndNoOthers) {
   HeadlessWorkbench bench(box());
   for (const Command& command : bench.workbench().commands().all()) {
     const std::string menu = menu_folders(command.menu).front();
-    EXPECT_EQ(command.while_tool_runs, menu == "View" || menu == "Help") << command.id;
+    const bool beside = command.id.starts_with("snap.") || command.id == "edit.stop_script";
+    const bool places = command.id.starts_with("plane.") && command.id != "plane.look";
+    EXPECT_EQ(command.while_tool_runs, ((menu == "View" || menu == "Help") && !places) || beside)
+        << command.id;
   }
   ASSERT_TRUE(bench.workbench().commands().run("select.box").ran);
   bench.frame();

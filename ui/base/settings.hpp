@@ -14,6 +14,15 @@ enum class ThemeId { dark, light };
 /// Which buttons and modifiers move the view, by the products whose users know them.
 enum class NavigationPreset { hariko, blender, maya, rhino, trackpad };
 
+/// What a drawing or a drag jumps to while it snaps.
+struct SnapSettings {
+  bool vertices = true, midpoints = true, centres = false, crossings = false;
+  bool perpendicular = false, tangent = false;  ///< from where the gesture began
+  bool curves = false, surfaces = false, grid = true;
+  bool always = false;  ///< without Ctrl, which then lets go
+  friend bool operator==(const SnapSettings&, const SnapSettings&) = default;
+};
+
 struct Settings {
   ThemeId theme = ThemeId::dark;
   LanguageId language = LanguageId::english;
@@ -30,6 +39,7 @@ struct Settings {
 
   /// New vertices of cuts and subdivisions lie on the surface, which keeps its form; else on straight edges.
   bool refine_on_surface = true;
+  SnapSettings snaps;
 
   /// Writing takes time too, and no more than 30 seconds of work are ever lost.
   static constexpr double most_autosave_seconds = 25;

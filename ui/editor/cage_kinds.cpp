@@ -118,6 +118,14 @@ class PolyhedronKind final : public CageKind {
     if (!(old->shaping == source.shaping)) out.polyhedron = out.polyhedron->shaped(shown, *source.shaping);
     return out;
   }
+
+  /// Vertices that a conversion found are nearly all pinned: nobody drew the curves between them.
+  void adjust(const Object& object, const ViewSettings&, SceneObject& shown) const override {
+    constexpr std::size_t many = 60;
+    const PolyhedronSource& source = *object.polyhedron();
+    const std::size_t pins = source.shaping->pin.size();
+    shown.quiet_network = pins > many && 10 * pins >= 9 * std::size_t(source.polyhedron.vertex_count());
+  }
 };
 
 class PatchesKind final : public CageKind {

@@ -309,4 +309,20 @@ Result<Arguments> read_arguments(std::span<const ArgumentSpec> specs,
   return out;
 }
 
+WrittenArgument written(std::string name, double value) {
+  return {std::move(name), WrittenValue(value)};
+}
+WrittenArgument written(std::string name, const Vector3& point) {
+  return {std::move(name), std::vector<WrittenScalar>{point.x(), point.y(), point.z()}};
+}
+WrittenArgument written(std::string name, std::string text) {
+  return {std::move(name), WrittenValue(std::move(text))};
+}
+WrittenArgument written(std::string name, const std::vector<std::string>& texts) {
+  return {std::move(name), std::vector<WrittenScalar>(texts.begin(), texts.end())};
+}
+WrittenArgument written_switch(std::string name, bool on) {
+  return {std::move(name), WrittenValue(on)};
+}
+
 }  // namespace hariko

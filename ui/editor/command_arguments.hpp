@@ -110,7 +110,21 @@ using WrittenValue = std::variant<bool, double, std::string, std::vector<Written
 struct WrittenArgument {
   std::string name;
   WrittenValue value;
+  friend bool operator==(const WrittenArgument&, const WrittenArgument&) = default;
 };
+/// A command as a step of a script has it.
+struct WrittenCommand {
+  std::string command;
+  std::vector<WrittenArgument> arguments = {};
+  friend bool operator==(const WrittenCommand&, const WrittenCommand&) = default;
+};
+
+WrittenArgument written(std::string name, double value);
+WrittenArgument written(std::string name, const Vector3& point);
+WrittenArgument written(std::string name, std::string text);
+WrittenArgument written(std::string name, const std::vector<std::string>& texts);
+/// Not an overload, which texts in quotes would choose.
+WrittenArgument written_switch(std::string name, bool on);
 
 /// Checks what is written against the declarations and adds defaults. `unit`: of the document; without one
 /// lengths count as millimetres and their ranges are not checked. Errors: E_ARGUMENT (a name that is not

@@ -69,6 +69,9 @@ void add_outline_commands(CommandHost& host);
 void add_recompute_commands(CommandHost& host);
 void add_paper_commands(CommandHost& host);
 void add_view_commands(CommandHost& host);
+/// What drawings and drags snap to, and the plane in which they draw.
+void add_snap_commands(CommandHost& host);
+void add_plane_commands(CommandHost& host);
 void add_analyse_commands(CommandHost& host);
 void add_measure_commands(CommandHost& host);
 /// After all commands are there.

@@ -39,6 +39,9 @@ struct ScriptUse {
   std::function<void(const Arguments&)> run = {};
   /// Surfaces are made first: `why_not` or `run` looks at them.
   bool looks_at_surfaces = false;
+  /// Of properties: arguments that give the chosen objects what this one has; nothing where it has no such
+  /// property. For recording.
+  std::function<std::vector<WrittenArgument>(const Object&)> read = {};
 };
 
 /// A row of the table. Rows name the members that differ from these values.

@@ -36,6 +36,7 @@ void Editor::open(Document document, std::optional<std::filesystem::path> file) 
   kept_probe.reset();
   dimensions = {};
   references.views.clear();
+  working_plane = {};
   // The views start anew; how they are arranged stays.
   layout.views = ViewLayout().views;
   wants_framing = true;
@@ -52,6 +53,7 @@ void Editor::begin_recording() {
   mode = ElementMode::vertex;
   hovered.reset();
   view = {};
+  working_plane = {};
   transform = {};
   selecting = {};
   last_click.reset();
@@ -107,6 +109,15 @@ bool Editor::stepped(std::uint64_t left, const ChosenElements& chosen, bool chan
   if (changed) selections_.step(left, chosen, history.oldest_serial());
   selection.prune(history.current());
   return changed;
+}
+
+void Editor::tell_script(std::vector<WrittenCommand> steps) {
+  told_ = {documents, history.serial(), std::move(steps)};
+}
+
+std::span<const WrittenCommand> Editor::told_script() const {
+  if (told_.documents != documents || told_.serial != history.serial()) return {};
+  return told_.steps;
 }
 
 bool Editor::preview(const Result<Document>& result) {

@@ -9,6 +9,7 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -24,6 +25,7 @@
 #include "ui/base/references.hpp"
 #include "ui/base/settings.hpp"
 #include "ui/base/surface_point.hpp"
+#include "ui/editor/command_arguments.hpp"
 #include "ui/editor/dimension_view.hpp"
 #include "ui/editor/gauss_view.hpp"
 #include "ui/editor/guide.hpp"
@@ -36,6 +38,7 @@
 #include "ui/editor/transform_settings.hpp"
 #include "ui/editor/view_layout.hpp"
 #include "ui/editor/view_map.hpp"
+#include "ui/editor/working_plane.hpp"
 
 namespace hariko {
 
@@ -97,6 +100,12 @@ struct LastClick {
   std::size_t index = 0;  ///< among the elements there, nearest first
 };
 
+/// What a script that is being recorded has so far.
+struct ScriptProgress {
+  std::size_t steps = 0;
+  std::size_t left_out = 0;  ///< edits without a command
+};
+
 class Editor {
  public:
   History history;
@@ -104,6 +113,7 @@ class Editor {
   ElementMode mode = ElementMode::vertex;
   std::optional<ElementRef> hovered;
   ViewSettings view;
+  WorkingPlane working_plane;  ///< in which tools draw and place
   TransformSettings transform;
   SelectSettings selecting;
   std::optional<LastClick> last_click;
@@ -123,9 +133,10 @@ class Editor {
 
   /// False while the start page shows.
   bool has_document = false;
-  Guide guide;                                ///< the guided first model
-  int exports = 0;                            ///< files exported since the program began
-  bool recording = false;                     ///< what the user does is written as a replay
+  Guide guide;                                     ///< the guided first model
+  int exports = 0;                                 ///< files exported since the program began
+  bool recording = false;                          ///< what the user does is written as a replay
+  std::optional<ScriptProgress> script_recording;  ///< while commands are written as a script
   bool rename_wanted = false;                 ///< the list of objects makes the active one's name a field
   bool wants_framing = false;                 ///< of all views, as soon as their sizes are known
   std::optional<std::filesystem::path> path;  ///< of the document on disk
@@ -171,6 +182,12 @@ class Editor {
   /// To a state of the history, as undo and redo do.
   void go_to(std::size_t position);
 
+  /// Says how a script makes the step that has just been made: by tools and fields, which have no command
+  /// or whose command needs the pointer.
+  void tell_script(std::vector<WrittenCommand> steps);
+  /// What was said of the step that led to the present state; empty where nothing was.
+  std::span<const WrittenCommand> told_script() const;
+
   void notify(Notice::Kind kind, std::string text, std::string remedy = {});
   void notify(const Message& message);
   /// Told of every notice, messages in English with their codes: for a log. May be empty.
@@ -207,7 +224,14 @@ class Editor {
   bool stepped(std::uint64_t left, const ChosenElements& chosen, bool changed);
   Document without_lost_dimensions(const Document& next);
 
+  /// Steps of a script, and the state that they lead to.
+  struct ToldScript {
+    std::uint64_t documents = 0, serial = 0;
+    std::vector<WrittenCommand> steps;
+  };
+
   SelectionMemory selections_;
+  ToldScript told_;
   std::optional<History> before_recording_;
   std::uint64_t recorded_document_ = 0;  ///< `documents` when the recording began
   std::deque<Notice> notices_;

@@ -63,6 +63,7 @@ bool LastOperation::repeat(Editor& editor) {
       return false;
     }
     step.make = begun->make;
+    step.written = begun->written;
     if (!begun->label.empty()) step.label = begun->label;
   }
   return run(editor, std::move(step));
@@ -94,6 +95,7 @@ bool LastOperation::commit(Editor& editor, const Document& before, const Operati
   after_ = made->document;
   const OperationResult result = std::move(made).value();
   if (!editor.commit(Result<Document>(result.document), step.label)) return false;
+  if (step.written) editor.tell_script(step.written(step.numbers));
   after_ = editor.history.current();  // without the dimensions that have lost what they measured
   if (result.keeps_selection) return true;
   if (result.selects_as_operation) {

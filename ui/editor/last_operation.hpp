@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/document/document.hpp"
+#include "ui/editor/command_arguments.hpp"
 #include "ui/editor/selection.hpp"
 
 namespace hariko {
@@ -41,10 +42,14 @@ struct OperationResult {
 using MakeOperation =
     std::function<Result<OperationResult>(const Document&, std::span<const OperationNumber>)>;
 
+/// Steps of a script that do what an operation does with these numbers.
+using WriteOperation = std::function<std::vector<WrittenCommand>(std::span<const OperationNumber>)>;
+
 /// An operation on what is selected in an editor.
 struct BegunOperation {
   MakeOperation make;
-  std::string label = {};  ///< of its step; empty: as before
+  std::string label = {};       ///< of its step; empty: as before
+  WriteOperation written = {};  ///< empty: no command does the same
 };
 /// Begins an operation anew, on what is selected then, or says why it cannot be.
 using BeginOperation = std::function<Result<BegunOperation>(const Editor&)>;
@@ -52,8 +57,9 @@ using BeginOperation = std::function<Result<BegunOperation>(const Editor&)>;
 struct OperationStep {
   std::string label;
   std::vector<OperationNumber> numbers;
-  MakeOperation make;         ///< empty: of a step that was taken up and cannot be adjusted
-  BeginOperation begin = {};  ///< for repeating; empty: `make` is repeated
+  MakeOperation make;           ///< empty: of a step that was taken up and cannot be adjusted
+  BeginOperation begin = {};    ///< for repeating; empty: `make` is repeated
+  WriteOperation written = {};  ///< empty: no command does the same
 };
 
 /// Can be adjusted as long as the document is the one that it made, and repeated as long as no other step of

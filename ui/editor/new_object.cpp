@@ -33,15 +33,21 @@ double new_object_radius(const Editor& editor) {
 }
 
 void bring_into_sight(Editor& editor, ObjectId object) {
-  const Object* found = editor.document().find(object);
-  const Box3 box = found ? world_box(*found) : Box3();
-  if (box.isEmpty()) return;
+  bring_into_sight(editor, std::span(&object, 1));
+}
+
+void bring_into_sight(Editor& editor, std::span<const ObjectId> objects) {
   const Projector projector(editor.camera(), editor.viewport);
-  for (int i = 0; i < 8; ++i) {
-    const auto at = projector.project(box.corner(static_cast<Box3::CornerType>(i)));
-    const bool inside = at && at->x() >= 0 && at->y() >= 0 && at->x() <= editor.viewport.width &&
-                        at->y() <= editor.viewport.height;
-    if (!inside) return editor.frame_all();
+  const auto inside = [&](const Vector3& corner) {
+    const auto at = projector.project(corner);
+    return at && at->x() >= 0 && at->y() >= 0 && at->x() <= editor.viewport.width &&
+           at->y() <= editor.viewport.height;
+  };
+  for (const ObjectId object : objects) {
+    const Object* found = editor.document().find(object);
+    const Box3 box = found ? world_box(*found) : Box3();
+    for (int i = 0; i < 8 && !box.isEmpty(); ++i)
+      if (!inside(box.corner(static_cast<Box3::CornerType>(i)))) return editor.frame_all();
   }
 }
 

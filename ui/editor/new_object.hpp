@@ -2,6 +2,8 @@
 
 // What commands that make objects share.
 
+#include <span>
+
 #include "core/document/edits/edits.hpp"
 #include "ui/editor/editor.hpp"
 
@@ -14,6 +16,7 @@ void begin_document(Editor& editor);
 double new_object_radius(const Editor& editor);
 /// Shows everything when something new reaches out of the active view.
 void bring_into_sight(Editor& editor, ObjectId object);
+void bring_into_sight(Editor& editor, std::span<const ObjectId> objects);
 /// In an empty document: 50 mm, whatever its unit.
 double first_object_radius(Unit unit);
 

@@ -44,4 +44,13 @@ std::vector<OperationNumber> with_values(std::vector<OperationNumber> numbers, c
   return numbers;
 }
 
+std::vector<WrittenArgument> written_numbers(std::span<const OperationNumber> numbers) {
+  std::vector<WrittenArgument> out;
+  for (const OperationNumber& number : numbers)
+    out.push_back(number.choices.empty()
+                      ? written(number.id, number.value)
+                      : written(number.id, std::string(number.choices[std::size_t(number.value)])));
+  return out;
+}
+
 }  // namespace hariko

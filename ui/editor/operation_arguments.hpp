@@ -16,4 +16,7 @@ std::vector<ArgumentSpec> arguments_of(std::span<const OperationNumber> numbers)
 /// The numbers with the values of arguments that `arguments_of` declared.
 std::vector<OperationNumber> with_values(std::vector<OperationNumber> numbers, const Arguments& arguments);
 
+/// The numbers as a script writes them.
+std::vector<WrittenArgument> written_numbers(std::span<const OperationNumber> numbers);
+
 }  // namespace hariko

@@ -49,18 +49,33 @@ bool run_operation(Editor& editor, const Operation& operation, const std::string
   return true;
 }
 
-std::optional<SurfaceForm> form_for_refinement(const Editor& editor, const PolyhedronSource& source) {
-  return editor.settings.refine_on_surface ? form_to_keep(source) : std::nullopt;
+FormToKeep form_for_refinement(const Editor& editor, const PolyhedronSource& source) {
+  if (!editor.settings.refine_on_surface) return {};
+  auto form = form_to_keep(source);
+  if (!form) return {{}, form.error()};
+  return {std::move(form).value(), {}};
+}
+
+void say_form_lost(Editor& editor, const std::optional<Message>& why) {
+  if (!why) return;
+  editor.notify(Notice::Kind::warning,
+                editor.language("The surface could not be made, so the new points lie on straight edges and "
+                                "flat faces."),
+                editor.language.text_of(*why));
 }
 
 bool run_refinement(Editor& editor, const Refinement& refinement, const std::string& label) {
-  return run_operation(
+  std::optional<Message> lost;
+  const bool done = run_operation(
       editor,
       [&](const PolyhedronSource& source) {
-        const auto form = form_for_refinement(editor, source);
-        return refinement(source, form ? &*form : nullptr);
+        const FormToKeep kept = form_for_refinement(editor, source);
+        lost = kept.lost;
+        return refinement(source, kept.pointer());
       },
       label);
+  if (done) say_form_lost(editor, lost);
+  return done;
 }
 
 void say_locked(Editor& editor) {

@@ -13,7 +13,7 @@ namespace hariko {
 namespace {
 
 bool same(const GridSettings& a, const GridSettings& b) {
-  return a.visible == b.visible && a.height == b.height && a.spacing == b.spacing;
+  return a.visible == b.visible && a.height == b.height && a.spacing == b.spacing && a.plane == b.plane;
 }
 
 bool same(const SceneObject& a, const SceneObject& b) {
@@ -171,6 +171,8 @@ void SceneBuilder::update(const Editor& editor) {
   Scene next;
   next.background = background_of(editor.settings.theme);
   next.grid.visible = editor.view.grid;
+  if (const WorkingPlane& plane = editor.working_plane; !plane.is_ground())
+    next.grid.plane = GridSettings::Plane{plane.frame.point, plane.frame.axes};
   next.zebra = editor.view.zebra;
   next.colour_blind_safe = editor.settings.colour_blind_maps;
   next.hidden_opacity = static_cast<float>(editor.view.x_ray_strength);

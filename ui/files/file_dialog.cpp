@@ -417,7 +417,7 @@ void FileDialog::draw_footer(PanelContext& context) {
     ImGui::TextUnformatted(context.tr.phrase(error_).c_str());
   }
   const float button = m.px(110);
-  ImGui::SetCursorPosX(ImGui::GetWindowWidth() - 2 * button - ImGui::GetStyle().ItemSpacing.x - m.px(12));
+  ImGui::SetCursorPosX(ImGui::GetWindowContentRegionMax().x - 2 * button - ImGui::GetStyle().ItemSpacing.x);
   if (ImGui::Button(context.tr("Cancel"), {button, 0})) {
     open_ = false;
   }

@@ -264,6 +264,17 @@ void FileDialogs::record() {
                 [this](const auto& path) { application_.record(path); }});
 }
 
+void FileDialogs::record_script() {
+  std::filesystem::path proposal = name_proposal();
+  proposal.replace_extension(".json");
+  dialog_.open({translatable("Record a script"),
+                translatable("Record"),
+                true,
+                {".json"},
+                proposal,
+                [this](const auto& path) { application_.record_script(path); }});
+}
+
 std::filesystem::path FileDialogs::name_proposal() const {
   if (editor_.path) return *editor_.path;
   return (editor_.suggested_name.empty() ? std::string("Untitled") : editor_.suggested_name) + ".hariko";

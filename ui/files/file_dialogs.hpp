@@ -53,6 +53,7 @@ class FileDialogs {
   void export_keys();
   void import_keys();
   void record();
+  void record_script();
 
   void draw(PanelContext& context);
   bool is_open() const { return dialog_.is_open(); }

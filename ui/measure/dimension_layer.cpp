@@ -54,12 +54,42 @@ struct DrawnDimension {
   DimensionId id;
   std::string text;
   DimensionShape shape;
+  bool label_by_hand = false;                             ///< somebody put the label where it is
   Vector2 low = Vector2::Zero(), high = Vector2::Zero();  ///< of the label
 
+  void move_label(const Vector2& by) {
+    for (auto& line : shape.lines)
+      if (line.second == shape.label) line.second += by;  // that of a radius leads to it
+    shape.label += by;
+    low += by;
+    high += by;
+  }
   bool label_holds(const Vector2& pixel) const {
     return (pixel.array() >= low.array()).all() && (pixel.array() <= high.array()).all();
   }
 };
+
+/// Moves labels that stand where they are by themselves down, off those before them; a thin line leads back.
+/// O(labels^3), and O(labels^2) where few of them meet.
+void make_way(std::vector<DrawnDimension>& drawn, double gap) {
+  std::vector<std::pair<Vector2, Vector2>> taken;
+  for (const bool by_hand : {true, false})
+    for (DrawnDimension& each : drawn) {
+      if (each.label_by_hand != by_hand) continue;
+      const auto in_the_way = [&] {
+        return std::find_if(taken.begin(), taken.end(), [&](const auto& box) {
+          return (each.low.array() < box.second.array()).all() &&
+                 (each.high.array() > box.first.array()).all();
+        });
+      };
+      const Vector2 before = each.shape.label;
+      // Each move leaves one of them behind for good, as all go the same way.
+      for (auto box = in_the_way(); !by_hand && box != taken.end(); box = in_the_way())
+        each.move_label({0, box->second.y() + gap - each.low.y()});
+      if (each.shape.label != before) each.shape.helpers.emplace_back(before, each.shape.label);
+      taken.emplace_back(each.low, each.high);
+    }
+}
 
 std::vector<DrawnDimension> drawn_dimensions(const Editor& editor, const Projector& projector) {
   std::vector<DrawnDimension> out;
@@ -70,11 +100,14 @@ std::vector<DrawnDimension> drawn_dimensions(const Editor& editor, const Project
     const Dimension& dimension = shown.dimension;
     DrawnDimension next{
         dimension.id, dimension_text(dimension.kind, *shown.measured, unit, editor.language),
-        shape_of(dimension.kind, *shown.measured, dimension.label, projector, editor.pixel_scale)};
+        shape_of(dimension.kind, *shown.measured, dimension.label, projector, editor.pixel_scale),
+        !dimension.label.isZero(0)};
     if (!next.shape.seen) continue;
     std::tie(next.low, next.high) = label_box(next.shape, next.text, editor.pixel_scale);
     out.push_back(std::move(next));
   }
+  constexpr double gap = 2;  // design pixels
+  make_way(out, gap * editor.pixel_scale);
   return out;
 }
 

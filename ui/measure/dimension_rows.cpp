@@ -8,6 +8,7 @@
 #include "core/document/edits/edit_dimensions.hpp"
 #include "ui/base/icons.hpp"
 #include "ui/measure/dimension_text.hpp"
+#include "ui/widgets/overlay_window.hpp"
 #include "ui/widgets/tips.hpp"
 #include "ui/widgets/value_fields.hpp"
 
@@ -30,12 +31,15 @@ void dimension_row(PanelContext& context, const ShownDimension& shown) {
       shown.measured ? dimension_text(dimension.kind, *shown.measured, editor.document().unit, context.tr)
                      : std::string(context.tr("no value"));
   const float start = ImGui::GetCursorPosX(), room = ImGui::GetContentRegionAvail().x;
-  if (ImGui::Selectable((text + "##value").c_str(), chosen, 0,
+  const std::string fitting = elided(text, room - buttons - context.metrics.px(4));
+  if (ImGui::Selectable((fitting + "##value").c_str(), chosen, 0,
                         {room - buttons, context.metrics.px(button_size)}))
     editor.dimensions.choose(editor, dimension.id);
   context.marks.item(mark);
   if (!shown.measured && ImGui::IsItemHovered())
     show_tip(context.tr("The surface that it measures is not there, or has no such point any more."));
+  else if (fitting != text && ImGui::IsItemHovered())
+    show_tip(text);
   ImGui::SameLine(start + room - buttons);
   {
     const Disabled disabled(!shown.measured);

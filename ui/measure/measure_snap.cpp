@@ -8,7 +8,6 @@
 #include "core/modeling/measuring/surface_spot.hpp"
 #include "ui/editor/dimension_view.hpp"
 #include "ui/editor/reference_pictures.hpp"
-#include "ui/view/snapping.hpp"
 
 namespace hariko {
 
@@ -207,20 +206,52 @@ std::optional<MeasurePlace> on_object(const ToolContext& context, const Vector2&
   return std::nullopt;
 }
 
-Vector3 point_of_space(const ToolContext& context, const Vector2& pixel, bool snaps,
-                       const std::optional<Vector3>& last) {
+/// Centres, intersections, feet and tangents; what else can be caught is found by its element.
+std::optional<MeasurePlace> at_caught(const ToolContext& context, const MeasureAim& aim) {
+  if (!aim.snaps) return std::nullopt;
+  SnapSettings kinds = context.editor.settings.snaps;
+  kinds.vertices = kinds.midpoints = kinds.curves = kinds.surfaces = kinds.grid = false;
+  const SnapGesture gesture{kinds, aim.last, context.editor.working_plane.frame.normal(), nullptr};
+  const auto target = aim.snaps->nearest(context, gesture, aim.pixel);
+  const Object* object = target && target->object ? context.editor.document().find(*target->object) : nullptr;
+  if (!object) return std::nullopt;
+  MeasurePlace place = held_by_object(MeasurePlace::Kind::caught, *object, target->point);
+  place.as = target->kind;
+  return place;
+}
+
+Vector3 point_of_space(const ToolContext& context, const MeasureAim& aim) {
   const Projector projector = context.projector();
-  if (const auto ground = point_on_ground(context, projector.ray(pixel), snaps)) return *ground;
-  return projector.on_facing_plane(pixel, last.value_or(projector.camera().target));
+  const PlaneFrame& plane = context.editor.working_plane.frame;
+  if (const auto point = point_on_plane(context, plane, projector.ray(aim.pixel), aim.middles)) return *point;
+  return projector.on_facing_plane(aim.pixel, aim.last.value_or(projector.camera().target));
 }
 
 }  // namespace
 
-MeasurePlace place_to_measure(const ToolContext& context, const Vector2& pixel, bool middles,
-                              const std::optional<Vector3>& last) {
-  if (auto place = at_element(context, pixel, middles)) return *std::move(place);
-  if (auto place = on_object(context, pixel)) return *std::move(place);
-  const Vector3 point = point_of_space(context, pixel, middles, last);
+std::optional<SnapTarget> target_of(const MeasurePlace& place) {
+  switch (place.kind) {
+    case MeasurePlace::Kind::vertex:
+      return SnapTarget{SnapTarget::Kind::vertex, place.point};
+    case MeasurePlace::Kind::middle:
+      return SnapTarget{SnapTarget::Kind::midpoint, place.point};
+    case MeasurePlace::Kind::edge:
+      return SnapTarget{SnapTarget::Kind::curve, place.point};
+    case MeasurePlace::Kind::surface:
+      return SnapTarget{SnapTarget::Kind::surface, place.point};
+    case MeasurePlace::Kind::caught:
+      return SnapTarget{place.as, place.point};
+    case MeasurePlace::Kind::space:
+      break;
+  }
+  return std::nullopt;
+}
+
+MeasurePlace place_to_measure(const ToolContext& context, const MeasureAim& aim) {
+  if (auto place = at_caught(context, aim)) return *std::move(place);
+  if (auto place = at_element(context, aim.pixel, aim.middles)) return *std::move(place);
+  if (auto place = on_object(context, aim.pixel)) return *std::move(place);
+  const Vector3 point = point_of_space(context, aim);
   return {MeasurePlace::Kind::space, SpaceAnchor{point}, point};
 }
 

@@ -83,7 +83,7 @@ class MeasureTool final : public Tool {
     } else {
       draw_begun(context, overlay);
     }
-    if (place_) draw_place(projector, overlay);
+    if (place_) draw_place(context, overlay);
     draw_value_label(overlay, pointer_, error_.empty() ? value_ : error_, !error_.empty());
   }
 
@@ -93,7 +93,10 @@ class MeasureTool final : public Tool {
             ? tr("Click a point of a surface   Enter or Esc ends")
             : std::string(tr(asked())) + "   " +
                   tr("Ctrl: middles of edges   Backspace: last point   Enter or Esc ends");
-    return (error_.empty() ? value_ : error_) + "   |   " + (steps_.empty() ? "" : steps_ + "   |   ") + keys;
+    const auto target = place_ ? target_of(*place_) : std::nullopt;
+    const std::string caught = target ? std::string(tr(snap_name(target->kind))) + "   |   " : std::string();
+    return (error_.empty() ? value_ : error_) + "   |   " + (steps_.empty() ? "" : steps_ + "   |   ") +
+           caught + keys;
   }
 
  private:
@@ -130,9 +133,14 @@ class MeasureTool final : public Tool {
     const Unit unit = context.editor.document().unit;
     error_.clear();
     steps_.clear();
-    place_ = kind_ == DimensionKind::radius
-                 ? surface_to_measure(context, pointer_)
-                 : std::optional(place_to_measure(context, pointer_, middles, last_point(context)));
+    if (kind_ == DimensionKind::radius) {
+      place_ = surface_to_measure(context, pointer_);
+    } else {
+      MeasureAim aim{pointer_, middles, last_point(context)};
+      catcher_.update(context);
+      if (snaps_now(context.editor, middles)) aim.snaps = catcher_.places();
+      place_ = place_to_measure(context, aim);
+    }
     value_ = tr(dimension_name(kind_));
     const auto value = present(context);
     if (!value) return;
@@ -188,37 +196,21 @@ class MeasureTool final : public Tool {
       overlay.list.AddCircleFilled(on_screen(overlay, pixel), overlay.metrics.px(2.5F), palette().hot);
   }
 
-  /// Draws a mark for what holds the point: a square on vertices, a triangle on middles, a circle on edges
-  /// and surfaces.
-  void draw_place(const Projector& projector, const ToolOverlay& overlay) const {
-    const auto at = projector.project(place_->point);
+  /// Draws what holds the point, with its name; a small circle at a point of space.
+  void draw_place(const ToolContext& context, const ToolOverlay& overlay) const {
+    if (const auto target = target_of(*place_))
+      return draw_snap_target(context, overlay, *target, !error_.empty());
+    const auto at = context.projector().project(place_->point);
     if (!at) return;
-    const ImVec2 p = on_screen(overlay, at->head<2>());
-    const float r = overlay.metrics.px(7), thick = overlay.metrics.px(1.8F);
-    const auto mark = [&](ImU32 colour, float width) {
-      switch (place_->kind) {
-        case MeasurePlace::Kind::vertex:
-          overlay.list.AddRect({p.x - r, p.y - r}, {p.x + r, p.y + r}, colour, 0, 0, width);
-          break;
-        case MeasurePlace::Kind::middle:
-          overlay.list.AddTriangle({p.x, p.y - r}, {p.x + r, p.y + 0.75F * r}, {p.x - r, p.y + 0.75F * r},
-                                   colour, width);
-          break;
-        case MeasurePlace::Kind::edge:
-          overlay.list.AddCircle(p, r, colour, 0, width);
-          break;
-        default:
-          overlay.list.AddCircle(p, 0.6F * r, colour, 0, width);
-      }
-    };
-    mark(with_alpha(palette().window, 0.8F), 2.2F * thick);
-    mark(error_.empty() ? palette().text : palette().warning, thick);
+    overlay.list.AddCircle(on_screen(overlay, at->head<2>()), overlay.metrics.px(4.2F),
+                           error_.empty() ? palette().text : palette().warning, 0, overlay.metrics.px(1.8F));
   }
 
   DimensionKind kind_;
   Vector2 pointer_ = Vector2::Zero();  ///< framebuffer pixels
   std::vector<Anchor> anchors_;        ///< of the points that were clicked
   std::optional<MeasurePlace> place_;
+  SnapCatcher catcher_;
   std::string value_, steps_, error_;
 };
 

@@ -13,7 +13,7 @@
 #include "ui/editor/outlines.hpp"
 #include "ui/editor/probe.hpp"
 #include "ui/view/overlay_drawing.hpp"
-#include "ui/view/snapping.hpp"
+#include "ui/view/snap_catcher.hpp"
 
 namespace hariko {
 
@@ -28,7 +28,10 @@ class LoopTool final : public Tool {
   explicit LoopTool(std::optional<ObjectId> outline) : outline_(outline) {}
   bool modal() const override { return true; }
 
-  void begin(ToolContext& context, const PointerEvent& press) override { look(context, press); }
+  void begin(ToolContext& context, const PointerEvent& press) override {
+    plane_ = context.editor.working_plane;
+    look(context, press);
+  }
 
   ToolState update(ToolContext& context, const PointerEvent& event) override {
     if (event.kind == PointerEvent::Kind::release) return ToolState::stay;
@@ -36,9 +39,9 @@ class LoopTool final : public Tool {
     if (event.kind != PointerEvent::Kind::press) return ToolState::stay;
     if (closes_) return confirm(context);
     if (!place_) {
-      error_ =
-          context.editor.language(on_surface_ && !corners_.empty() ? "Click on the surface."
-                                                                   : "Click on the ground or on a surface.");
+      error_ = context.editor.language(on_surface_ && !corners_.empty() ? "Click on the surface."
+                                       : plane_.is_ground() ? "Click on the ground or on a surface."
+                                                            : "Click on the working plane or on a surface.");
       return ToolState::stay;
     }
     if (corners_.empty()) on_surface_ = place_->normal.has_value();
@@ -78,14 +81,14 @@ class LoopTool final : public Tool {
       if (const auto at = projector.project(place_->point))
         overlay.list.AddCircle(on_screen(overlay, at->head<2>()), overlay.metrics.px(5), palette().text, 0,
                                overlay.metrics.px(1.5F));
+    if (caught_ && !closes_) draw_snap_target(context, overlay, *caught_, !error_.empty());
     const Language& tr = context.editor.language;
     draw_value_label(overlay, pointer_, error_.empty() ? value_text(tr) : error_, !error_.empty());
   }
 
   std::string hint(const Language& tr) const override {
     return value_text(tr) + "   |   " +
-           tr("Click corners   Ctrl: on the grid   Backspace: last corner   Enter closes the loop   Esc "
-              "cancels");
+           tr("Click corners   Ctrl snaps   Backspace: last corner   Enter closes the loop   Esc cancels");
   }
 
  private:
@@ -108,20 +111,35 @@ class LoopTool final : public Tool {
     return Corner{reading->position, reading->normal, reading->curvature ? reading->curvature->gauss : 0};
   }
 
-  static std::optional<Corner> on_ground(const ToolContext& context, const Ray& ray, bool snaps) {
-    const auto point = point_on_ground(context, ray, snaps);
+  /// The foot of what was caught, else the point of the plane under the pointer.
+  std::optional<Corner> on_plane(const ToolContext& context, const Ray& ray, bool snaps) const {
+    const auto point = caught_ ? std::optional(plane_.frame.foot(caught_->point))
+                               : point_on_plane(context, plane_.frame, ray, snaps);
     if (!point) return std::nullopt;
     return Corner{*point, {}, 0};
+  }
+
+  /// Whether what was caught lies on the surface that the eye sees there.
+  bool caught_on(const ToolContext& context, const Corner& seen) const {
+    constexpr double most_pixels = 4;
+    const double pixel = context.editor.pixel_scale * context.projector().pixel_length_at(seen.point);
+    return (caught_->point - seen.point).norm() < most_pixels * pixel;
   }
 
   void look(const ToolContext& context, const PointerEvent& event) {
     pointer_ = event.pixel;
     error_.clear();
     const Projector projector = context.projector();
-    const Ray ray = projector.ray(event.pixel);
+    const bool snaps = snaps_now(context.editor, event.control);
+    catcher_.update(context);
+    const auto last = corners_.empty() ? std::nullopt : std::optional(corners_.back().point);
+    caught_ = snaps ? catcher_.find(context, event.pixel, last, plane_.frame.normal()) : std::nullopt;
+    const auto pixel = caught_ ? projector.project(caught_->point) : std::nullopt;
+    const Ray ray = projector.ray(pixel ? Vector2(pixel->head<2>()) : event.pixel);
     place_.reset();
     if (corners_.empty() || on_surface_) place_ = on_surface(context, ray);
-    if (!place_ && (corners_.empty() || !on_surface_)) place_ = on_ground(context, ray, event.control);
+    if (place_ && caught_ && corners_.empty() && !caught_on(context, *place_)) place_.reset();
+    if (!place_ && (corners_.empty() || !on_surface_)) place_ = on_plane(context, ray, snaps);
     closes_ = false;
     if (corners_.size() < 3) return;
     const auto first = projector.project(corners_.front().point);
@@ -159,7 +177,8 @@ class LoopTool final : public Tool {
     OutlineLoop loop;
     loop.points = points;
     for (std::size_t i = 0; i < points.size(); ++i)
-      loop.normals.push_back(on_surface_ && i < corners_.size() ? *corners_[i].normal : Vector3::UnitZ());
+      loop.normals.push_back(on_surface_ && i < corners_.size() ? *corners_[i].normal
+                                                                : plane_.frame.normal());
     if (on_surface_ && place_ && points.size() > corners_.size() && place_->normal)
       loop.normals.back() = *place_->normal;
     return loop;
@@ -169,6 +188,7 @@ class LoopTool final : public Tool {
   Result<OutlineLoop> make(const ToolContext& context) const {
     if (!on_surface_) {
       DrawnLoop settings;
+      settings.axis = plane_.frame.normal();
       settings.hole = outline_.has_value();
       settings.tilt = settings.hole ? hole_tilt : dome_tilt;
       settings.count = loop_points;
@@ -266,10 +286,11 @@ class LoopTool final : public Tool {
 
   std::string value_text(const Language& tr) const {
     std::string text = tr(outline_ ? "Loop" : "Outline");
-    if (corners_.empty()) return text;
-    text += "  " +
-            fill(tr(corners_.size() == 1 ? "{0} corner" : "{0} corners"), {std::to_string(corners_.size())});
+    if (!corners_.empty())
+      text += "  " + fill(tr(corners_.size() == 1 ? "{0} corner" : "{0} corners"),
+                          {std::to_string(corners_.size())});
     if (closes_) text += "   " + std::string(tr("Closes the loop"));
+    if (caught_ && !closes_) text += "   " + std::string(tr(snap_name(caught_->kind)));
     return text;
   }
 
@@ -280,6 +301,9 @@ class LoopTool final : public Tool {
   std::optional<Corner> place_;
   bool closes_ = false;  ///< a click would
   std::string error_;
+  WorkingPlane plane_;  ///< as it was when the tool began
+  SnapCatcher catcher_;
+  std::optional<SnapTarget> caught_;
 };
 
 }  // namespace

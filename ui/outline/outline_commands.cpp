@@ -127,15 +127,16 @@ struct OutlineMenu {
 void add_drawing(OutlineMenu& menu) {
   CommandHost& host = menu.host;
   Editor& editor = host.editor;
-  host.table.add({.id = "add.outline",
-                  .menu = "Add",
-                  .label = "Outline",
-                  .help = "Draw a closed loop on the ground or on a surface; a smooth surface fills it.",
-                  .changes_document = true,
-                  .separator_before = true,
-                  .needs_window = true,
-                  .run = [&host] { draw_outline(host); },
-                  .contexts = Context::empty});
+  host.table.add(
+      {.id = "add.outline",
+       .menu = "Add",
+       .label = "Outline",
+       .help = "Draw a closed loop on the working plane or on a surface; a smooth surface fills it.",
+       .changes_document = true,
+       .separator_before = true,
+       .needs_window = true,
+       .run = [&host] { draw_outline(host); },
+       .contexts = Context::empty});
   menu.points = true;
   menu.add(
       "outline.add_loop", "Add loop", "Draw another loop of the outline: the surface has a hole there.",

@@ -234,7 +234,7 @@ class KnifeTool final : public Tool {
     if (ahead_.empty()) return;  // the last point once more
     std::vector<CutPoint> longer = path();
     longer.insert(longer.end(), ahead_.begin(), ahead_.end());
-    const auto done = cut(context, longer, false);
+    const auto done = cut(context, longer, nullptr);
     if (!done) {
       error_ = context.editor.language.text_of(done.error());
       return;
@@ -245,24 +245,27 @@ class KnifeTool final : public Tool {
     lay_lines(context);
   }
 
-  /// `keeping` the surface's form, if that is wanted: what the path is tried with need not.
+  /// Keeps the surface's form, if that is wanted, where it finds `kept`: what the path is tried with need
+  /// not.
   Result<ModeledDocument> cut(const ToolContext& context, const std::vector<CutPoint>& along,
-                              bool keeping) const {
+                              FormToKeep* kept) const {
     return edit_polyhedron(context.editor.history.current(), object_, [&](const PolyhedronSource& source) {
-      const auto form = keeping ? form_for_refinement(context.editor, source) : std::nullopt;
-      return cut_path(source, along, form ? &*form : nullptr);
+      if (kept) *kept = form_for_refinement(context.editor, source);
+      return cut_path(source, along, kept ? kept->pointer() : nullptr);
     });
   }
 
   ToolState confirm(ToolContext& context) {
     Editor& editor = context.editor;
-    const auto done = cut(context, path(), true);
+    FormToKeep kept;
+    const auto done = cut(context, path(), &kept);
     if (!done) {
       error_ = editor.language.text_of(done.error());
       return ToolState::stay;
     }
     if (!editor.commit(done->document, translatable("Knife"))) return ToolState::cancel;
     select_result(editor, object_, done->selection);
+    say_form_lost(editor, kept.lost);
     return ToolState::commit;
   }
 

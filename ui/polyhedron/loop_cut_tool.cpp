@@ -155,13 +155,25 @@ class LoopCutTool final : public PointingTool {
     editor.preview(done->document);
   }
 
+  /// Writes the cut for scripts, which cut the ring of the selected edge.
+  void tell(Editor& editor) const {
+    const std::string edge = std::to_string(edge_->low.value) + "-" + std::to_string(edge_->high.value);
+    editor.tell_script(
+        {{"select.edges",
+          {written("object", editor.history.current().find(object_)->name),
+           written("ids", std::vector<std::string>{edge})}},
+         {"mesh.loop_cut", {written("cuts", double(options_.count)), written("slide", options_.slide)}}});
+  }
+
   ToolState confirm(ToolContext& context) {
     if (!error_.empty()) return ToolState::stay;
     if (!context.editor.commit_preview(
             options_.count == 1 ? translatable("Loop cut")
                                 : fill(translatable("{0} loop cuts"), {std::to_string(options_.count)})))
       return ToolState::cancel;
+    tell(context.editor);
     select_result(context.editor, object_, result_);
+    say_form_lost(context.editor, lines_.lost_form());
     return ToolState::commit;
   }
 

@@ -138,6 +138,10 @@ MakeOperation merging_near(const Editor& editor) {
   };
 }
 
+std::vector<WrittenCommand> written_merging(std::span<const OperationNumber> numbers) {
+  return {WrittenCommand{"mesh.merge_distance", {written("distance", numbers[0].value)}}};
+}
+
 void merge_near(Editor& editor, std::optional<double> distance = {}) {
   const double size = size_of(*editor.active_object()->polyhedron());
   OperationStep step;
@@ -148,8 +152,9 @@ void merge_near(Editor& editor, std::optional<double> distance = {}) {
   step.begin = [](const Editor& now) -> Result<BegunOperation> {
     if (const Reason reason = needs_elements(now, {.vertices = true, .edges = true, .faces = true})())
       return make_error(e_wrong_selection, *reason);
-    return BegunOperation{merging_near(now)};
+    return BegunOperation{merging_near(now), {}, written_merging};
   };
+  step.written = written_merging;
   editor.last_operation.run(editor, std::move(step));
 }
 
@@ -177,15 +182,18 @@ void toggle_mirror(Editor& editor, Axis axis) {
   }
   // What lies behind the plane goes, so that the image takes its place. Another mirror's image stays.
   const Mirror mirror{axis, weld_share * size_of(source)};
+  std::optional<Message> lost;
   const auto half =
       edit_polyhedron(editor.history.current(), object, [&](const PolyhedronSource& s) -> Result<EditResult> {
         const auto whole = baked(s);
         if (!whole) return whole.error();
-        const auto form = form_for_refinement(editor, *whole);
-        return halved(*whole, mirror, form ? &*form : nullptr);
+        const FormToKeep kept = form_for_refinement(editor, *whole);
+        lost = kept.lost;
+        return halved(*whole, mirror, kept.pointer());
       });
   if (!half) return editor.notify(half.error());
-  editor.commit(set_mirror(half->document, object, mirror), translatable("Live mirror"));
+  if (editor.commit(set_mirror(half->document, object, mirror), translatable("Live mirror")))
+    say_form_lost(editor, lost);
 }
 
 /// Runs one operation on the active polyhedron and what is selected of it, as a step called `label`.

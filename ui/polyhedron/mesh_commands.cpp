@@ -45,6 +45,17 @@ AmountOperation operation_on_selection(const Editor& editor, const char* name, s
 
 using BuildAmount = std::function<AmountOperation(const Editor&)>;
 
+/// Adds the command and the argument of scripts.
+BuildAmount named(std::string command, std::string argument, BuildAmount build) {
+  return [command = std::move(command), argument = std::move(argument),
+          build = std::move(build)](const Editor& editor) {
+    AmountOperation operation = build(editor);
+    operation.command = command;
+    operation.argument = argument;
+    return operation;
+  };
+}
+
 /// Starts the tool, unless the operation refuses the selection whatever the amount. It is built of what is
 /// selected, which has to have elements of these kinds, and anew when it is repeated.
 void start(CommandHost& host, NeededElements kinds, const BuildAmount& build) {
@@ -147,7 +158,9 @@ AmountOperation bevel_of_vertices(const Editor& editor) {
 }
 
 void extrude(CommandHost& host, NeededElements kinds, Grouping grouping) {
-  start(host, kinds, [grouping](const Editor& editor) { return extrusion(editor, grouping); });
+  start(host, kinds,
+        named(grouping == Grouping::region ? "mesh.extrude" : "mesh.extrude_each", "distance",
+              [grouping](const Editor& editor) { return extrusion(editor, grouping); }));
 }
 
 /// Makes the step at once, with an amount in the document's unit.
@@ -250,22 +263,23 @@ void add_dragged(CommandHost& host) {
              .icon = icon::inset,
              .changes_document = true,
              .needs_window = true,
-             .run = [&host] { start(host, {.faces = true}, insetting); },
+             .run = [&host] { start(host, {.faces = true}, named("mesh.inset", "width", insetting)); },
              .why_not = needs_elements(editor, {.faces = true}),
              .contexts = Context::face,
              .script = amount_in_scripts(editor, "width", translatable("Width"), insetting)});
-  table.add({.id = "mesh.bevel_edges",
-             .menu = "Mesh",
-             .label = "Bevel edges",
-             .help = "Turn the selected edges into flat bands.",
-             .keys = "Ctrl+B",
-             .icon = icon::bevel,
-             .changes_document = true,
-             .needs_window = true,
-             .run = [&host] { start(host, {.edges = true}, bevel_of_edges); },
-             .why_not = needs_elements(editor, {.edges = true}),
-             .contexts = Context::edge,
-             .script = amount_in_scripts(editor, "width", translatable("Width"), bevel_of_edges)});
+  table.add(
+      {.id = "mesh.bevel_edges",
+       .menu = "Mesh",
+       .label = "Bevel edges",
+       .help = "Turn the selected edges into flat bands.",
+       .keys = "Ctrl+B",
+       .icon = icon::bevel,
+       .changes_document = true,
+       .needs_window = true,
+       .run = [&host] { start(host, {.edges = true}, named("mesh.bevel_edges", "width", bevel_of_edges)); },
+       .why_not = needs_elements(editor, {.edges = true}),
+       .contexts = Context::edge,
+       .script = amount_in_scripts(editor, "width", translatable("Width"), bevel_of_edges)});
   table.add({.id = "mesh.bevel_vertices",
              .menu = "Mesh",
              .label = "Bevel vertices",
@@ -274,7 +288,10 @@ void add_dragged(CommandHost& host) {
              .icon = icon::bevel,
              .changes_document = true,
              .needs_window = true,
-             .run = [&host] { start(host, {.vertices = true}, bevel_of_vertices); },
+             .run =
+                 [&host] {
+                   start(host, {.vertices = true}, named("mesh.bevel_vertices", "width", bevel_of_vertices));
+                 },
              .why_not = needs_elements(editor, {.vertices = true}),
              .contexts = Context::vertex,
              .script = amount_in_scripts(editor, "width", translatable("Width"), bevel_of_vertices)});

@@ -9,6 +9,7 @@
 #include "ui/editor/command_host.hpp"
 #include "ui/editor/new_object.hpp"
 #include "ui/editor/operation_arguments.hpp"
+#include "ui/editor/placement.hpp"
 
 namespace hariko {
 
@@ -37,16 +38,14 @@ OperationNumber count(const char* id, const char* label, int value, int low, int
   return {id, label, double(value), double(low), double(high), true};
 }
 
-/// Object to be added: its name, the step, its numbers and what they make.
+/// Object to be added: its command, its name, the step, its numbers and what they make.
 struct NewPrimitive {
-  const char *name, *step;
+  const char *id, *name, *step;
   Numbers numbers;
   MakeSource make;
 };
 
-MakeOperation adding(const NewPrimitive& primitive, const Vector3& at, const std::string& name) {
-  Similarity place;
-  place.translation = at;
+MakeOperation adding(const NewPrimitive& primitive, const Similarity& place, const std::string& name) {
   return [place, name, make = primitive.make](
              const Document& document, std::span<const OperationNumber> chosen) -> Result<OperationResult> {
     Result<Source> source = make(chosen);
@@ -57,22 +56,30 @@ MakeOperation adding(const NewPrimitive& primitive, const Vector3& at, const std
   };
 }
 
-/// Place of a new object: the middle of the view; of the first one zero.
-Vector3 place_for_new(const Editor& editor) {
-  return editor.document().objects.empty() ? Vector3(Vector3::Zero()) : editor.camera().target;
-}
-
 std::string name_for_new(const Editor& editor, const NewPrimitive& primitive) {
   return free_name(editor.document(), editor.language(primitive.name));
 }
 
+WriteOperation written_primitive(const NewPrimitive& primitive, const Similarity& place,
+                                 const std::string& name) {
+  return [id = std::string(primitive.id), place, name](std::span<const OperationNumber> numbers) {
+    WrittenCommand step{id, written_numbers(numbers)};
+    for (WrittenArgument& argument : written_place(place)) step.arguments.push_back(std::move(argument));
+    step.arguments.push_back(written("name", name));
+    return std::vector{std::move(step)};
+  };
+}
+
 /// Makes the step; its numbers can be adjusted afterwards. False, with a notice, when it is refused.
 bool put_primitive(Editor& editor, const NewPrimitive& primitive, std::vector<OperationNumber> numbers,
-                   const Vector3& at, const std::string& name) {
-  OperationStep step{primitive.step, std::move(numbers), adding(primitive, at, name), {}};
+                   const Similarity& place, const std::string& name) {
+  OperationStep step{primitive.step, std::move(numbers), adding(primitive, place, name), {}};
   step.begin = [primitive](const Editor& now) -> Result<BegunOperation> {
-    return BegunOperation{adding(primitive, place_for_new(now), name_for_new(now, primitive))};
+    const Similarity there = place_for_new(now);
+    const std::string free = name_for_new(now, primitive);
+    return BegunOperation{adding(primitive, there, free), {}, written_primitive(primitive, there, free)};
   };
+  step.written = written_primitive(primitive, place, name);
   return editor.last_operation.run(editor, std::move(step));
 }
 
@@ -94,13 +101,13 @@ ScriptUse in_scripts(CommandHost& host, const NewPrimitive& primitive) {
   const std::vector<OperationNumber> usual = primitive.numbers(first_object_radius(Unit::millimetre));
   ScriptUse use;
   use.arguments = arguments_of(usual);
-  use.arguments.push_back(
-      point_argument("at", translatable("Location"), ArgumentUnit::length, Vector3(0, 0, 0)));
+  add_place_arguments(use.arguments);
   use.arguments.push_back(optional(text_argument("name", translatable("Name"))));
   use.run = [&editor = host.editor, primitive, usual](const Arguments& arguments) {
     begin_document(editor);
     const std::string name = arguments.has("name") ? arguments.text("name") : name_for_new(editor, primitive);
-    if (!put_primitive(editor, primitive, with_values(usual, arguments), arguments.point("at"), name)) return;
+    const Similarity place = given_place(arguments);
+    if (!put_primitive(editor, primitive, with_values(usual, arguments), place, name)) return;
     const ObjectId id = editor.selection.active;
     editor.selection.clear_objects();
     editor.selection.select({id, {Element::Kind::object, id.value}}, Selection::How::add);
@@ -133,7 +140,7 @@ void add_patches(CommandHost& host) {
     if (!source) return source.error();
     return Source(std::move(source).value());
   };
-  const NewPrimitive patches{"Bicubic patches", translatable("Add patches"), numbers, make};
+  const NewPrimitive patches{"add.patches", "Bicubic patches", translatable("Add patches"), numbers, make};
   host.table.add({.id = "add.patches",
                   .menu = "Add",
                   .label = "Bicubic patches",
@@ -153,7 +160,7 @@ void add_skin(CommandHost& host) {
   const MakeSource make = [](std::span<const OperationNumber> n) -> Result<Source> {
     return Source(SkinSource{arched_skin(n[0].value, n[1].value, n[2].value, count_of(n[3])), {}});
   };
-  const NewPrimitive skin{"Skin", translatable("Add skin"), numbers, make};
+  const NewPrimitive skin{"add.skin", "Skin", translatable("Add skin"), numbers, make};
   host.table.add({.id = "add.skin",
                   .menu = "Add",
                   .label = "Skin",
@@ -265,7 +272,7 @@ void add_round(const AddShape& add) {
 void add_add_commands(CommandHost& host) {
   const auto add = [&host](const char* id, const std::string& menu, const char* label, const char* step,
                            const char* help, Numbers numbers, MakeMesh make) {
-    const NewPrimitive primitive{label, step, std::move(numbers), from_mesh(std::move(make))};
+    const NewPrimitive primitive{id, label, step, std::move(numbers), from_mesh(std::move(make))};
     host.table.add({.id = id,
                     .menu = menu,
                     .label = label,

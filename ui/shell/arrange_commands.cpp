@@ -31,24 +31,27 @@ std::string arrange_menu() {
 
 /// Makes an operation on these objects.
 using MakeOfObjects = std::function<Result<MakeOperation>(const Editor&, std::vector<ObjectId>)>;
+/// Says how a script does that with the objects that are chosen; empty: it cannot.
+using WriteOfObjects = std::function<WriteOperation(const Editor&)>;
 
 /// Begins an operation on the objects that are chosen then.
-BeginOperation begin_on_chosen(const MakeOfObjects& make) {
-  return [make](const Editor& editor) -> Result<BegunOperation> {
+BeginOperation begin_on_chosen(const MakeOfObjects& make, const WriteOfObjects& write) {
+  return [make, write](const Editor& editor) -> Result<BegunOperation> {
     if (const Reason reason = needs_object(editor)()) return make_error(e_no_objects, *reason);
     auto made = make(editor, chosen_ids(editor));
     if (!made) return made.error();
-    return BegunOperation{std::move(made).value()};
+    return BegunOperation{std::move(made).value(), {}, write(editor)};
   };
 }
 
 void run_on_chosen(Editor& editor, const char* label, std::vector<OperationNumber> numbers,
-                   const MakeOfObjects& make) {
-  OperationStep step{label, std::move(numbers), {}, begin_on_chosen(make)};
+                   const MakeOfObjects& make, const WriteOfObjects& write) {
+  OperationStep step{label, std::move(numbers), {}, begin_on_chosen(make, write)};
   auto begun = step.begin(editor);
   if (!begun) return editor.notify(begun.error());
   step.make = begun->make;
-  editor.last_operation.run(editor, std::move(step));
+  step.written = begun->written;
+  if (editor.last_operation.run(editor, std::move(step))) bring_into_sight(editor, chosen_ids(editor));
 }
 
 /// Originals with their copies, all of them chosen: a row of a row makes a grid.
@@ -97,6 +100,14 @@ Result<MakeOperation> row_of_objects(const Editor&, std::vector<ObjectId> ids) {
   });
 }
 
+WriteOperation written_row(const Editor&) {
+  return [](std::span<const OperationNumber> n) {
+    return std::vector{WrittenCommand{
+        "object.array_row",
+        {written("count", n[0].value), written("step", Vector3(n[1].value, n[2].value, n[3].value))}}};
+  };
+}
+
 void make_row_of_objects(Editor& editor) {
   constexpr int usual_count = 3;
   run_on_chosen(editor, row_step,
@@ -104,7 +115,7 @@ void make_row_of_objects(Editor& editor) {
                  distance_number("array_x", translatable("Step X"), usual_step(editor, chosen_ids(editor))),
                  distance_number("array_y", translatable("Step Y"), 0),
                  distance_number("array_z", translatable("Step Z"), 0)},
-                row_of_objects);
+                row_of_objects, written_row);
 }
 
 /// Centres that a ring can have, in the order of the choices; nothing where there is no such place.
@@ -134,6 +145,18 @@ Result<MakeOperation> ring_of_objects(const Editor& editor, std::vector<ObjectId
       });
 }
 
+WriteOperation written_ring(const Editor& editor) {
+  return [centres = centres_of(editor, chosen_ids(editor))](std::span<const OperationNumber> n) {
+    const auto& centre = centres[static_cast<std::size_t>(n[2].value)];
+    if (!centre) return std::vector<WrittenCommand>();
+    return std::vector{
+        WrittenCommand{"object.array_ring",
+                       {written("count", n[0].value),
+                        written("axis", std::string(1, static_cast<char>('x' + int(n[1].value)))),
+                        written("centre", *centre), written("angle", n[3].value)}}};
+  };
+}
+
 void make_ring_of_objects(Editor& editor) {
   constexpr int usual_count = 6;
   constexpr double full_turn = 360;
@@ -152,7 +175,7 @@ void make_ring_of_objects(Editor& editor) {
       {count_of_places(usual_count), axis, centre,
        OperationNumber{
            "array_angle", translatable("Angle"), full_turn, -full_turn, full_turn, false, true, {}}},
-      ring_of_objects);
+      ring_of_objects, written_ring);
 }
 
 /// Makes images, which are then chosen, as copies are.
@@ -170,6 +193,15 @@ MakeOfObjects images_across(Axis axis) {
   };
 }
 
+/// Writes the command of an image, which a script makes across zero alone.
+WriteOfObjects written_images(const char* id) {
+  return [id](const Editor&) -> WriteOperation {
+    return [id](std::span<const OperationNumber> n) {
+      return n[0].value == 0 ? std::vector{WrittenCommand{id}} : std::vector<WrittenCommand>();
+    };
+  };
+}
+
 /// Copies and moves them as the tool did, by other lengths where there are numbers.
 MakeOperation moved_copies(AddedObjects copies, TransformTarget target, const Transformation& done) {
   return [copies = std::move(copies), target = std::move(target), done](
@@ -181,6 +213,16 @@ MakeOperation moved_copies(AddedObjects copies, TransformTarget target, const Tr
     OperationResult result{std::move(moved).value(), copies.ids.front()};
     result.objects = copies.ids;
     return result;
+  };
+}
+
+/// Writes copies and their move as two steps of a script.
+WriteOperation written_copies(const Transformation& done) {
+  return [done](std::span<const OperationNumber> n) {
+    const Vector3 by = n.size() == 3 ? Vector3(n[0].value, n[1].value, n[2].value) : done.translation;
+    if (!done.only_translates()) return std::vector<WrittenCommand>();
+    return std::vector{WrittenCommand{"object.duplicate"}, WrittenCommand{"select.objects"},
+                       WrittenCommand{"transform.move", {written("by", by)}}};
   };
 }
 
@@ -200,12 +242,17 @@ void duplicate_and_move(CommandHost& host) {
   made.moved = [copies = *copies](Editor& editor, const Document& before, const TransformTarget& target,
                                   const Transformation& done) {
     choose_objects(editor, copies.ids);
-    OperationStep step{
-        copies_step, {}, moved_copies(copies, target, done), begin_on_chosen(copies_moved_again(done))};
+    const WriteOfObjects write = [done](const Editor&) { return written_copies(done); };
+    OperationStep step{copies_step,
+                       {},
+                       moved_copies(copies, target, done),
+                       begin_on_chosen(copies_moved_again(done), write),
+                       written_copies(done)};
     if (done.only_translates())
       step.numbers = {distance_number("copies_x", "X", done.translation.x()),
                       distance_number("copies_y", "Y", done.translation.y()),
                       distance_number("copies_z", "Z", done.translation.z())};
+    editor.tell_script(step.written(step.numbers));
     editor.last_operation.take_up(editor, before, std::move(step));
   };
   host.viewport.start_modal(make_transform_tool(std::move(made)));
@@ -334,10 +381,10 @@ void add_copying(CommandHost& host) {
                .changes_document = true,
                .separator_before = first,
                .run =
-                   [&editor, axis] {
+                   [&editor, axis, id] {
                      run_on_chosen(editor, translatable("Mirrored copy"),
                                    {distance_number("mirror_position", translatable("Position"), 0)},
-                                   images_across(axis));
+                                   images_across(axis), written_images(id));
                    },
                .why_not = object,
                .contexts = Context::object});

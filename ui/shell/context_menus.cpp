@@ -11,6 +11,7 @@ void fill_context_menus(CommandTable& table) {
   table.show_in(vertex, {"shape.corner", "shape.smooth_ends"});
   table.show_in(edge, {"shape.crease", "shape.attach", "shape.release_edges", "select.loop", "select.ring",
                        "mesh.extrude"});
+  table.show_in(face, {"plane.face"});
   table.show_in(any_element | object, {"transform.move", "transform.rotate", "transform.scale"});
   table.show_in(any_element, {"select.all", "select.none", "select.linked", "view.frame_selection"});
   table.show_in(

@@ -6,7 +6,7 @@
 
 #include "core/base/files/file_ending.hpp"
 #include "core/cad/kernel/cad_file.hpp"
-#include "core/document/format/format_names.hpp"
+#include "core/document/words.hpp"
 #include "core/exchange/mesh_file.hpp"
 #include "ui/editor/command_host.hpp"
 #include "ui/files/export_settings.hpp"
@@ -22,13 +22,11 @@ constexpr double least_factor = 1e-9, most_factor = 1e9;
 constexpr int usual_density = 8, most_density = 256;
 
 std::vector<std::string> units() {
-  return {detail::unit_names.begin(), detail::unit_names.end()};
+  return enum_word_list<Unit>();
 }
 
 Unit unit_named(const std::string& word) {
-  for (const Unit unit : {Unit::centimetre, Unit::metre, Unit::inch})
-    if (to_string(unit) == word) return unit;
-  return Unit::millimetre;
+  return enum_value<Unit>(word).value_or(Unit::millimetre);
 }
 
 Message wrong_ending(const std::string& path, std::string_view endings) {

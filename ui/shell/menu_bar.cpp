@@ -11,12 +11,14 @@
 #include "ui/base/icons.hpp"
 #include "ui/base/menu_letters.hpp"
 #include "ui/widgets/command_menu.hpp"
+#include "ui/widgets/overlay_window.hpp"
 
 namespace hariko {
 
 namespace {
 
 constexpr float whole_field = 170, field_button = 32, field_margin = 10;  ///< points
+constexpr float title_gap = 12, least_title = 64;                         ///< points
 constexpr const char* more_menu = "\u00bb";
 
 std::string menu_label(const PanelContext& context, const std::string& menu) {
@@ -32,7 +34,8 @@ struct MenuBarFit {
   bool whole_field = false;
 };
 
-MenuBarFit fit_menu_bar(const PanelContext& context, const std::vector<std::string>& menus) {
+/// The field gives way to the name of the document, which is `title` wide.
+MenuBarFit fit_menu_bar(const PanelContext& context, const std::vector<std::string>& menus, float title) {
   const Metrics& m = context.metrics;
   const auto room = [&](float field) {
     return ImGui::GetWindowWidth() - ImGui::GetCursorPosX() - m.px(field + 2 * field_margin);
@@ -42,7 +45,8 @@ MenuBarFit fit_menu_bar(const PanelContext& context, const std::vector<std::stri
         menus.begin(), menus.begin() + std::ptrdiff_t(count), 0.0F,
         [&](float sum, const std::string& menu) { return sum + menu_width(context.tr(menu)); });
   };
-  if (taken(menus.size()) <= room(whole_field)) return {menus.size(), true};
+  const float named = title > 0 ? title + m.px(2 * title_gap) : 0;
+  if (taken(menus.size()) + named <= room(whole_field)) return {menus.size(), true};
   if (taken(menus.size()) <= room(field_button)) return {menus.size(), false};
   std::size_t count = menus.size();
   while (count > 0 && taken(count) + menu_width(more_menu) > room(field_button)) count--;
@@ -121,6 +125,28 @@ float search_field(PanelContext& context, bool whole) {
   return left;
 }
 
+/// "mouse.hariko  •  edited"; empty without a document.
+std::string title_of_document(const PanelContext& context) {
+  const Editor& editor = context.editor;
+  if (!editor.has_document) return {};
+  std::string title = context.tr(editor.title());
+  if (editor.read_only) title += std::string("  \u2022  ") + context.tr("read-only");
+  if (editor.history.dirty()) title += std::string("  \u2022  ") + context.tr("edited");
+  return title;
+}
+
+/// Between the menus and the field, as far as there is room; the window's own title has it whole.
+void draw_title(PanelContext& context, const std::string& title, float menus_end, float field) {
+  const float gap = context.metrics.px(title_gap), room = field - menus_end - 2 * gap;
+  const float whole = ImGui::CalcTextSize(title.c_str()).x;
+  if (title.empty() || room < std::min(whole, context.metrics.px(least_title))) return;
+  const std::string shown = elided(title, room);
+  const ImVec2 size = ImGui::CalcTextSize(shown.c_str()), corner = ImGui::GetWindowPos();
+  const ImVec2 at(corner.x + field - size.x - gap, corner.y + (ImGui::GetWindowHeight() - size.y) / 2);
+  ImGui::GetWindowDrawList()->AddText(at, palette().dim_text, shown.c_str());
+  context.marks.rect("menu.title", at, {at.x + size.x, at.y + size.y});
+}
+
 }  // namespace
 
 float draw_menu_bar(PanelContext& context) {
@@ -132,7 +158,8 @@ float draw_menu_bar(PanelContext& context) {
   context.state.menu_letters = std::exchange(context.state.menu_open, false) ? PanelState::MenuLetters::alone
                                : ImGui::GetIO().KeyAlt ? PanelState::MenuLetters::with_alt
                                                        : PanelState::MenuLetters::hidden;
-  const MenuBarFit fit = fit_menu_bar(context, menus);
+  const std::string title = title_of_document(context);
+  const MenuBarFit fit = fit_menu_bar(context, menus, ImGui::CalcTextSize(title.c_str()).x);
   for (std::size_t i = 0; i < fit.menus; i++) draw_menu(context, menus[i]);
   if (fit.menus < menus.size()) {
     const bool shown = ImGui::BeginMenu(more_menu);
@@ -144,18 +171,7 @@ float draw_menu_bar(PanelContext& context) {
   }
   const float used = ImGui::GetCursorPosX();
   const float field = search_field(context, fit.whole_field);
-  const Editor& editor = context.editor;
-  if (editor.has_document) {
-    std::string title = context.tr(editor.title());
-    if (editor.read_only) title += std::string("  \u2022  ") + context.tr("read-only");
-    if (editor.history.dirty()) title += std::string("  \u2022  ") + context.tr("edited");
-    // The window's own title has it too: here it goes where there is room.
-    const float left = field - ImGui::CalcTextSize(title.c_str()).x - context.metrics.px(16);
-    if (left > used + context.metrics.px(8)) {
-      const float y = ImGui::GetWindowPos().y + (ImGui::GetWindowHeight() - ImGui::GetTextLineHeight()) / 2;
-      ImGui::GetWindowDrawList()->AddText({left, y}, palette().dim_text, title.c_str());
-    }
-  }
+  draw_title(context, title, used, field);
   const float height = ImGui::GetWindowHeight();
   ImGui::EndMainMenuBar();
   return height;

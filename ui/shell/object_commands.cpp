@@ -158,7 +158,11 @@ void add_visibility_commands(CommandTable& table, Editor& editor, const WhyNot& 
              .checked = [&editor] { return editor.active_object() && editor.active_object()->locked; },
              .contexts = Context::object,
              .script = {.arguments = {on_off_argument("on", translatable("Lock"), true)},
-                        .run = [&editor](const Arguments& given) { lock_chosen(editor, given.on("on")); }}});
+                        .run = [&editor](const Arguments& given) { lock_chosen(editor, given.on("on")); },
+                        .read =
+                            [](const Object& object) {
+                              return std::vector{written_switch("on", object.locked)};
+                            }}});
 }
 
 void add_order_commands(CommandTable& table, Editor& editor) {
@@ -185,22 +189,25 @@ void add_object_commands(CommandHost& host) {
   CommandTable& table = host.table;
   Editor& editor = host.editor;
   const WhyNot object = needs_object(editor);
-  table.add({.id = "object.rename",
-             .menu = "Edit",
-             .label = "Rename object",
-             .help = "Type another name.",
-             .keys = "F2",
-             .separator_before = true,
-             .needs_window = true,
-             .run = [&editor] { editor.rename_wanted = true; },
-             .why_not = object,
-             .contexts = Context::object,
-             .script = {.arguments = {text_argument("name", translatable("Name"))},
-                        .run = [&editor](const Arguments& given) {
-                          editor.commit(rename_object(editor.history.current(), editor.selection.active,
-                                                      given.text("name")),
-                                        "Rename object");
-                        }}});
+  table.add(
+      {.id = "object.rename",
+       .menu = "Edit",
+       .label = "Rename object",
+       .help = "Type another name.",
+       .keys = "F2",
+       .separator_before = true,
+       .needs_window = true,
+       .run = [&editor] { editor.rename_wanted = true; },
+       .why_not = object,
+       .contexts = Context::object,
+       .script = {.arguments = {text_argument("name", translatable("Name"))},
+                  .run =
+                      [&editor](const Arguments& given) {
+                        editor.commit(rename_object(editor.history.current(), editor.selection.active,
+                                                    given.text("name")),
+                                      "Rename object");
+                      },
+                  .read = [](const Object& object) { return std::vector{written("name", object.name)}; }}});
   table.add({.id = "object.duplicate",
              .menu = "Edit",
              .label = "Duplicate object",

@@ -10,6 +10,7 @@
 #include "ui/base/fuzzy.hpp"
 #include "ui/base/icons.hpp"
 #include "ui/editor/selected_items.hpp"
+#include "ui/widgets/overlay_window.hpp"
 #include "ui/widgets/panels.hpp"
 #include "ui/widgets/tips.hpp"
 #include "ui/widgets/value_fields.hpp"
@@ -231,11 +232,7 @@ void object_row(PanelContext& context, const Object& object, std::size_t index) 
   if (renaming) {
     name_field(context, object, name_end - ImGui::GetCursorPosX());
   } else {
-    const ImVec2 at = ImGui::GetCursorScreenPos();
-    const float cut = at.x + name_end - ImGui::GetCursorPosX();
-    ImGui::PushClipRect({at.x, at.y - m.px(6)}, {cut, at.y + side}, true);
-    ImGui::TextUnformatted(object.name.c_str());
-    ImGui::PopClipRect();
+    ImGui::TextUnformatted(elided(object.name, name_end - ImGui::GetCursorPosX()).c_str());
   }
   if (mirrored) mirror_badge(context, object, right - m.px(100));
   badge(context, editor.view_of(object.id), right - m.px(78));

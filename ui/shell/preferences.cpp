@@ -16,19 +16,29 @@ namespace hariko {
 
 namespace {
 
-constexpr float label_column = 190, pages_width = 150;
+constexpr float label_column = 190, narrow_column = 8, least_field = 170, pages_width = 150;
 constexpr std::array scales{0.75F, 1.0F, 1.25F, 1.5F, 1.75F, 2.0F, 2.5F};
 
-/// A row's name on the left; what follows stands in the right column.
+/// Where fields begin: right of their names, or below them where a page is narrow.
+float column_of_fields(const PanelContext& context) {
+  const float beside = context.metrics.px(label_column), least = context.metrics.px(least_field);
+  return ImGui::GetWindowContentRegionMax().x >= beside + least ? beside : context.metrics.px(narrow_column);
+}
+
+/// A row's name; what follows stands in the right column.
 void row(const PanelContext& context, const char* label) {
   ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted(context.tr(label));
-  ImGui::SameLine(context.metrics.px(label_column));
+  const float column = column_of_fields(context);
+  if (column >= context.metrics.px(label_column))
+    ImGui::SameLine(column);
+  else
+    ImGui::SetCursorPosX(column);
 }
 
 /// A sentence below a row.
 void note(const PanelContext& context, const char* text) {
-  ImGui::SetCursorPosX(context.metrics.px(label_column));
+  ImGui::SetCursorPosX(column_of_fields(context));
   const TextColour dim(palette().dim_text);
   text_in_lines(context.tr(text));
 }
@@ -43,7 +53,7 @@ bool choice(PanelContext& context, const char* label, const std::string& mark, b
   const float width = ImGui::CalcTextSize(label).x + ImGui::GetStyle().FramePadding.x * 2;
   if (ImGui::GetCursorPosX() + width > ImGui::GetWindowContentRegionMax().x) {
     ImGui::NewLine();
-    ImGui::SetCursorPosX(context.metrics.px(label_column));
+    ImGui::SetCursorPosX(column_of_fields(context));
   }
   bool chosen = false;
   {
@@ -70,7 +80,8 @@ void check(PanelContext& context, const char* label, const char* mark, bool& val
 void slider(PanelContext& context, const char* label, const char* mark, double& value, double low,
             double high, const char* format, bool logarithmic) {
   row(context, label);
-  ImGui::SetNextItemWidth(context.metrics.px(220));
+  const float number = ImGui::CalcTextSize("3600 s").x + ImGui::GetStyle().ItemSpacing.x;
+  ImGui::SetNextItemWidth(std::min(context.metrics.px(220), ImGui::GetContentRegionAvail().x - number));
   float shown = static_cast<float>(value);
   // The number stands beside: the handle would hide it.
   if (ImGui::SliderFloat((std::string("###") + mark).c_str(), &shown, static_cast<float>(low),
@@ -85,9 +96,10 @@ void slider(PanelContext& context, const char* label, const char* mark, double& 
 /// Which drags orbit, pan and zoom, one line each.
 void navigation_table(PanelContext& context) {
   for (const auto& [motion, drags] : navigation_rows(context.tr, context.editor.settings.navigation)) {
-    ImGui::SetCursorPosX(context.metrics.px(label_column));
+    const float column = column_of_fields(context);
+    ImGui::SetCursorPosX(column);
     ImGui::TextUnformatted(motion.c_str());
-    ImGui::SameLine(context.metrics.px(label_column + 80));
+    ImGui::SameLine(column + context.metrics.px(80));
     const TextColour dim(palette().dim_text);
     text_in_lines(drags);
   }
@@ -249,7 +261,9 @@ void Preferences::draw(PanelContext& context, float top) {
   context.marks.window("preferences");
   ring_of_cross();
   if (drawn) {
-    if (ImGui::BeginChild("pages", {m.px(pages_width), 0}, false, ImGuiWindowFlags_NavFlattened))
+    constexpr float share_of_pages = 0.38F;
+    if (ImGui::BeginChild("pages", {std::min(m.px(pages_width), share_of_pages * size.x), 0}, false,
+                          ImGuiWindowFlags_NavFlattened))
       draw_pages(context);
     ImGui::EndChild();
     ImGui::SameLine(0, m.px(16));

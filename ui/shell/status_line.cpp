@@ -98,6 +98,21 @@ void draw_recording(PanelContext& context, float& right) {
   if (draw_work(context, row, right)) context.run("help.stop_recording");
 }
 
+/// That commands are written as a script: how many, and how many edits have none.
+void draw_script_recording(PanelContext& context, float& right) {
+  const auto& progress = context.editor.script_recording;
+  if (!progress) return;
+  WorkRow row;
+  row.text =
+      std::string(icon::record) + " " + fill(context.tr("Script: {0}"), {std::to_string(progress->steps)});
+  if (progress->left_out > 0)
+    row.text += "  " + fill(context.tr("(left out: {0})"), {std::to_string(progress->left_out)});
+  row.colour = progress->left_out > 0 ? palette().warning : palette().error;
+  row.button = context.tr("Stop");
+  row.mark = "status.stop_script";
+  if (draw_work(context, row, right)) context.run("edit.stop_script");
+}
+
 /// Work on files: what runs, and how many wait behind it.
 void draw_job(PanelContext& context, float& right) {
   const auto& jobs = context.editor.jobs;
@@ -169,7 +184,7 @@ void draw_status_line(PanelContext& context, const PanelRect& rect) {
     // The hint gives way to the state.
     const std::string hint = context.tr.phrase(context.tool_hint);
     const float room = rect.width() - width - m.px(48) - (busy ? m.px(editor.jobs.empty() ? 240 : 420) : 0) -
-                       (editor.recording ? m.px(170) : 0);
+                       (editor.recording ? m.px(170) : 0) - (editor.script_recording ? m.px(240) : 0);
     const std::string shown = elided(hint, std::max(room, m.px(least_hint)));
     ImGui::TextUnformatted(shown.c_str());
     context.marks.item("status.left");
@@ -184,6 +199,7 @@ void draw_status_line(PanelContext& context, const PanelRect& rect) {
     draw_recompute(context, left);
     draw_job(context, left);
     draw_recording(context, left);
+    draw_script_recording(context, left);
     ImGui::PopStyleColor();
   }
   ImGui::End();

@@ -63,12 +63,14 @@ void Workbench::add_commands() {
   add_edit_commands(host_);
   add_object_commands(host_);
   add_arrange_commands(host_);
+  add_record_commands(host_, *this);
   add_preferences_commands(host_, *this);
   add_select_commands(host_);
   add_add_commands(host_);
   add_solid_commands(host_);
   add_outline_commands(host_);
   add_transform_commands(host_);
+  add_snap_commands(host_);
   add_mesh_commands(host_);
   add_mesh_cleanup_commands(host_);
   add_shape_commands(host_);
@@ -78,6 +80,7 @@ void Workbench::add_commands() {
   add_skin_commands(host_);
   add_paper_commands(host_);
   add_view_commands(host_);
+  add_plane_commands(host_);
   add_analyse_commands(host_);
   add_measure_commands(host_);
   add_start_commands(host_);
@@ -87,6 +90,7 @@ void Workbench::add_commands() {
   fill_context_menus(commands_);
   // A tool works on the document that it found: whatever changes it ends the tool first.
   commands_.before_run([this](const Command& command) {
+    if (watch_.before_command) watch_.before_command();
     found_ = state();
     if (!command.changes_document) return;
     viewport_.cancel_tool();
@@ -96,6 +100,7 @@ void Workbench::add_commands() {
     if (outcome.ran && made_a_step(command)) editor_.last_operation.take_up_command(editor_, command.id);
     ++command_log_.number;
     command_log_.last = {command.id, outcome};
+    if (watch_.after_command) watch_.after_command(command, outcome);
   });
 }
 
@@ -178,6 +183,7 @@ void Workbench::frame() {
   GImGui->DimBgRatio = 1;
   files_.draw(context);
   prompt_.draw(context);
+  if (watch_.after_frame) watch_.after_frame();
 }
 
 void Workbench::layout(PanelContext& context, float menu) {

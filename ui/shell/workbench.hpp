@@ -31,6 +31,13 @@ struct CommandLog {
   std::pair<std::string, CommandTable::Outcome> last;
 };
 
+/// Is told what happens in a window, for recording. Each may be empty.
+struct WorkWatch {
+  std::function<void()> before_command;
+  std::function<void(const Command&, const CommandTable::Outcome&)> after_command;
+  std::function<void()> after_frame;
+};
+
 class Workbench final : public CommandServices {
  public:
   Workbench(Editor& editor, Renderer& renderer, int quick_samples, const Metrics& metrics,
@@ -47,6 +54,8 @@ class Workbench final : public CommandServices {
 
   const CommandTable& commands() const { return commands_; }
   const CommandLog& command_log() const { return command_log_; }
+  /// From now on, in the place of whom was told before; not from within one of these functions.
+  void watch(WorkWatch watch) { watch_ = std::move(watch); }
   const Viewport& viewport() const { return viewport_; }
   /// Text of the status line about the tool, the selection and the view.
   const std::string& status() const { return status_; }
@@ -134,6 +143,7 @@ class Workbench final : public CommandServices {
   float paper_split_ = 0.5F, gauss_split_ = 0.55F;  ///< where these begin, of the width of the views
   std::map<std::string, std::string> keys_in_use_;  ///< of the settings
   CommandLog command_log_;
+  WorkWatch watch_;
   State found_;  ///< when the last command began
   KeyboardFocus keyboard_;
   FileDialogs files_;

@@ -43,7 +43,7 @@ void draw_curve(const Projector& projector, const ToolOverlay& overlay, const Su
 
 std::optional<Message> CurveSketch::feed(const ToolContext& context, const PointerEvent& event) {
   pointer_ = event.pixel;
-  snaps_ = event.control;
+  snaps_ = snaps_now(context.editor, event.control);
   if (event.kind == PointerEvent::Kind::press) {
     stroke_ = {event.pixel};
     return {};
@@ -57,7 +57,7 @@ std::optional<Message> CurveSketch::feed(const ToolContext& context, const Point
   for (std::size_t i = 1; i < stroke_.size(); ++i) length += (stroke_[i] - stroke_[i - 1]).norm();
   const Vector2 first = stroke_.front();
   const bool stroke = length > stroke_length * context.editor.pixel_scale && !closed_;
-  auto error = stroke ? add_stroke(context) : add_point(context, first, event.control);
+  auto error = stroke ? add_stroke(context) : add_point(context, first, snaps_);
   stroke_.clear();
   return error;
 }
@@ -143,14 +143,22 @@ std::optional<Vector3> CurveSketch::on_plane(const Projector& projector, const V
   return ray.at(t);
 }
 
+std::optional<SnapTarget> CurveSketch::caught(const ToolContext& context, const Vector2& pixel) const {
+  const auto from = points_.empty() || closed_ ? std::nullopt : std::optional(points_.back());
+  return catcher_.find(context, pixel, from, plane_.normal);
+}
+
 std::optional<Vector3> CurveSketch::place(const ToolContext& context, const Vector2& pixel,
                                           bool snaps) const {
   const Projector projector = context.projector();
-  const auto at = on_plane(projector, pixel);
+  const auto target = snaps ? caught(context, pixel) : std::nullopt;
+  const auto at = target ? std::optional(target->point) : on_plane(projector, pixel);
   if (!at) return at;
   const Matrix3 axes = this->axes();
   Vector3 local = axes.transpose() * (*at - plane_.point);
-  if (snaps) {
+  if (target) {
+    // Its foot in the plane.
+  } else if (snaps && context.editor.settings.snaps.grid) {
     const DecimalStep step = grid_step(context, plane_.point);
     for (int i = 0; i < 2; ++i) local[i] = step.nearest(local[i]);
   } else {

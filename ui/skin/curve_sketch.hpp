@@ -8,6 +8,7 @@
 
 #include "core/skinning/sections/section_frame.hpp"
 #include "core/subdivision/subdivision_curve.hpp"
+#include "ui/view/snap_catcher.hpp"
 #include "ui/view/tool.hpp"
 
 namespace hariko {
@@ -18,6 +19,7 @@ class CurveSketch {
   /// The plane that is drawn in, with a unit normal.
   struct Plane {
     Vector3 point = Vector3::Zero(), normal = Vector3::UnitZ();
+    std::optional<Matrix3> axes = std::nullopt;  ///< the plane's own; none: upright ones
   };
   CurveSketch() = default;  ///< on the ground
   explicit CurveSketch(const Plane& plane) : plane_(plane) {}
@@ -35,10 +37,14 @@ class CurveSketch {
   bool busy() const { return !stroke_.empty(); }
 
   const Plane& plane() const { return plane_; }
-  /// The plane's axes: to the right, up, and towards one who looks along its normal.
-  Matrix3 axes() const { return upright_axes(plane_.normal); }
-  /// The point of the plane under a pixel, on the grid with `snaps`; nothing near its horizon. Near an axis
-  /// through the plane's point it lies on it.
+  /// The plane's axes, or else: to the right, up, and towards one who looks along its normal.
+  Matrix3 axes() const { return plane_.axes ? *plane_.axes : upright_axes(plane_.normal); }
+  /// Takes up what can be caught. Call with every event before anything is placed.
+  void look_for_places(const ToolContext& context) { catcher_.update(context); }
+  /// What is under a pixel and would be caught.
+  std::optional<SnapTarget> caught(const ToolContext& context, const Vector2& pixel) const;
+  /// The point of the plane under a pixel; nothing near its horizon. With `snaps` the foot of what is caught
+  /// there, else on the grid; without, on an axis through the plane's point where it is near to it.
   std::optional<Vector3> place(const ToolContext& context, const Vector2& pixel, bool snaps) const;
   int size() const { return int(points_.size()); }
   bool closed() const { return closed_; }
@@ -64,7 +70,8 @@ class CurveSketch {
   bool closed_ = false, through_ = true;
   std::vector<Vector2> stroke_;  ///< pixels since the press
   Vector2 pointer_ = Vector2::Zero();
-  bool snaps_ = false;  ///< Ctrl is held
+  bool snaps_ = false;
+  SnapCatcher catcher_;
 };
 
 /// A curve of the document's space on the picture.

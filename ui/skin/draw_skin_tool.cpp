@@ -112,8 +112,11 @@ class DrawingTool : public Tool {
   void feed(const ToolContext& context, const PointerEvent& event) {
     pointer_ = event.pixel;
     if (event.kind != PointerEvent::Kind::move) error_.clear();
+    const bool snaps = snaps_now(context.editor, event.control);
+    sketch_.look_for_places(context);
+    caught_ = snaps && !sketch_.closed() ? sketch_.caught(context, event.pixel) : std::nullopt;
     if (shape_.active()) {
-      shape_.follow(context, sketch_, event.pixel, event.control);
+      shape_.follow(context, sketch_, event.pixel, snaps);
       if (event.kind == PointerEvent::Kind::press) set_shape();
       return;
     }
@@ -123,6 +126,7 @@ class DrawingTool : public Tool {
   void draw_sketch(const ToolContext& context, const ToolOverlay& overlay) const {
     if (turned_) draw_plane_grid(context, overlay, sketch_.plane().point, sketch_.axes());
     shape_.active() ? shape_.draw(context, overlay, sketch_) : sketch_.draw(context, overlay);
+    if (caught_ && !sketch_.busy()) draw_snap_target(context, overlay, *caught_);
   }
   void draw_label(const ToolContext& context, const ToolOverlay& overlay) const {
     const std::string text = value_text(context.editor.language) + numbers(context);
@@ -155,6 +159,7 @@ class DrawingTool : public Tool {
   }
   std::string points_text(const Language& tr) const {
     std::string text = fill(tr("points: {0}"), {std::to_string(sketch_.size())});
+    if (caught_) text += "  " + std::string(tr(snap_name(caught_->kind)));
     if (sketch_.closed()) text += "  " + std::string(tr("closed"));
     if (!sketch_.through_points()) text += "  " + std::string(tr("control polygon"));
     return text;
@@ -165,6 +170,7 @@ class DrawingTool : public Tool {
   Vector2 pointer_ = Vector2::Zero();
   Camera before_;
   bool turned_ = false;  ///< the view
+  std::optional<SnapTarget> caught_;
   std::string error_;
 };
 
@@ -172,10 +178,14 @@ class DrawSkinTool final : public DrawingTool {
  public:
   void begin(ToolContext& context, const PointerEvent& press) override {
     DrawingTool::begin(context, press);
-    // A view along the ground draws in the plane that faces it.
+    const WorkingPlane& plane = context.editor.working_plane;
+    const Vector3 normal = plane.frame.normal();
+    // A view along the plane draws in the plane that faces it.
     constexpr double least_slope = 0.1;
-    if (std::abs(before_.forward().z()) < least_slope)
+    if (std::abs(before_.forward().dot(normal)) < least_slope)
       sketch_ = CurveSketch({before_.target, before_.forward()});
+    else if (!plane.is_ground())
+      sketch_ = CurveSketch({plane.frame.point, normal, plane.frame.axes});
   }
 
   ToolState update(ToolContext& context, const PointerEvent& event) override {

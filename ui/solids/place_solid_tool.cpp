@@ -7,7 +7,7 @@
 #include "core/modeling/objects/place_solid.hpp"
 #include "ui/editor/new_object.hpp"
 #include "ui/view/overlay_drawing.hpp"
-#include "ui/view/snapping.hpp"
+#include "ui/view/snap_catcher.hpp"
 
 namespace hariko {
 
@@ -28,6 +28,7 @@ class PlaceSolidTool final : public Tool {
 
   void begin(ToolContext& context, const PointerEvent& press) override {
     usual_radius_ = new_object_radius(context.editor);
+    plane_ = context.editor.working_plane;
     look(context, press);
   }
 
@@ -53,16 +54,20 @@ class PlaceSolidTool final : public Tool {
   void draw(const ToolContext& context, const ToolOverlay& overlay) const override {
     const Language& tr = context.editor.language;
     if (!stand_) {
-      draw_value_label(overlay, pointer_, tr("Click on the ground or on a solid."), true);
+      draw_value_label(overlay, pointer_,
+                       tr(plane_.is_ground() ? "Click on the ground or on a solid."
+                                             : "Click on the working plane or on a solid."),
+                       true);
       return;
     }
     draw_circle(context.projector(), overlay);
+    if (caught_) draw_snap_target(context, overlay, *caught_);
     draw_value_label(overlay, pointer_, length_text(context.editor, radius()));
   }
 
   std::string hint(const Language& tr) const override {
-    return tr(shape_.label) + std::string("   |   ") +
-           tr("Click places it   drag for its size   Ctrl: on the grid   Esc cancels");
+    return tr(shape_.label) + (caught_ ? "   " + std::string(tr(snap_name(caught_->kind))) : std::string()) +
+           "   |   " + tr("Click places it   drag for its size   Ctrl snaps   Esc cancels");
   }
 
  private:
@@ -79,17 +84,22 @@ class PlaceSolidTool final : public Tool {
                  (object->transform.rotation * hit->normal).normalized()};
   }
 
-  static std::optional<Stand> on_ground(const ToolContext& context, const Ray& ray, bool snaps) {
-    const auto point = point_on_ground(context, ray, snaps);
+  std::optional<Stand> on_plane(const ToolContext& context, const Ray& ray, bool snaps) const {
+    const auto point = point_on_plane(context, plane_.frame, ray, snaps);
     if (!point) return std::nullopt;
-    return Stand{*point, Vector3::UnitZ()};
+    return Stand{*point, plane_.frame.normal()};
   }
 
   void look(const ToolContext& context, const PointerEvent& event) {
     pointer_ = event.pixel;
     const Ray ray = context.projector().ray(event.pixel);
+    const bool snaps = snaps_now(context.editor, event.control);
+    catcher_.update(context);
+    caught_ = snaps ? catcher_.find(context, event.pixel, {}, plane_.frame.normal()) : std::nullopt;
     stand_ = on_solid(context, ray);
-    if (!stand_) stand_ = on_ground(context, ray, event.control);
+    // A caught place of a solid that is pointed at keeps that solid's side up.
+    if (caught_) stand_ = Stand{caught_->point, stand_ ? stand_->up : plane_.frame.normal()};
+    if (!stand_) stand_ = on_plane(context, ray, snaps);
   }
 
   /// The radius is the way from the press to the pointer, in the plane on which the solid stands.
@@ -97,12 +107,19 @@ class PlaceSolidTool final : public Tool {
     pointer_ = event.pixel;
     if ((event.pixel - *pressed_).norm() < drag_threshold * context.editor.pixel_scale) return;
     const Ray ray = context.projector().ray(event.pixel);
+    const bool snaps = snaps_now(context.editor, event.control);
+    caught_ = snaps ? catcher_.find(context, event.pixel, stand_->point, stand_->up) : std::nullopt;
     const double slope = ray.direction.dot(stand_->up);
     double way = context.projector().pixel_length_at(stand_->point) * (event.pixel - *pressed_).norm();
     if (const double t = (stand_->point - ray.origin).dot(stand_->up) / slope;
         std::abs(slope) > least_ground_slope && t > 0)
       way = (ray.at(t) - stand_->point).norm();
-    if (event.control) way = grid_step(context, stand_->point).nearest(way);
+    if (caught_) {
+      const Vector3 there = caught_->point - stand_->point;
+      way = (there - there.dot(stand_->up) * stand_->up).norm();
+    } else if (snaps && context.editor.settings.snaps.grid) {
+      way = grid_step(context, stand_->point).nearest(way);
+    }
     if (way > 0) dragged_ = way;
     context.editor.preview(
         with_new_solid(context.editor, standing(context, shape_.of_radius(local(context)))));
@@ -150,6 +167,9 @@ class PlaceSolidTool final : public Tool {
   NewSolid shape_;
   Vector2 pointer_ = Vector2::Zero();
   std::optional<Stand> stand_;
+  WorkingPlane plane_;  ///< as it was when the tool began
+  SnapCatcher catcher_;
+  std::optional<SnapTarget> caught_;
   std::optional<Vector2> pressed_;
   double usual_radius_ = 1, dragged_ = 0;
 };

@@ -7,8 +7,8 @@
 
 namespace hariko {
 
-/// Modal: a click puts the solid on another solid of the active object, or on the ground; a drag gives its
-/// radius (Ctrl: on the grid). One step.
+/// Modal: a click puts the solid on another solid of the active object, or on the working plane; a drag gives
+/// its radius. Ctrl snaps both. One step.
 std::unique_ptr<Tool> make_place_solid_tool(NewSolid shape);
 
 }  // namespace hariko

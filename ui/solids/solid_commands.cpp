@@ -14,6 +14,7 @@
 #include "ui/editor/command_host.hpp"
 #include "ui/editor/new_object.hpp"
 #include "ui/editor/operation_arguments.hpp"
+#include "ui/editor/placement.hpp"
 #include "ui/solids/new_solids.hpp"
 #include "ui/solids/place_solid_tool.hpp"
 #include "ui/view/viewport.hpp"
@@ -39,13 +40,24 @@ void add(Editor& editor, const NewSolid& shape) {
     radius /= object->transform.scale;
     at = beside(*object->solids()->input);
   }
-  Similarity place;
-  if (!editor.document().objects.empty()) place.translation = editor.camera().target;
+  const Similarity place = place_for_new(editor);
   const auto put = [at](Solid solid) {
     solid.position = at;
     return solid;
   };
-  add_new_solid(editor, shape, shape.numbers(radius), put, place);
+  const bool begins = !active_solids(editor);
+  const std::vector<OperationNumber> numbers = shape.numbers(radius);
+  if (!add_new_solid(editor, shape, numbers, put, place)) return;
+  const Object& object = *editor.active_object();
+  WrittenCommand step{std::string("solid.") + shape.name, written_numbers(numbers)};
+  Similarity there;
+  there.translation = object.transform.apply(at);
+  if (begins) there.rotation = object.transform.rotation;
+  for (WrittenArgument& argument : written_place(there)) step.arguments.push_back(std::move(argument));
+  std::vector<WrittenCommand> steps{std::move(step)};
+  // The name that a script gives is English.
+  if (begins) steps.push_back({"object.rename", {written("name", object.name)}});
+  editor.tell_script(std::move(steps));
 }
 
 /// Use in scripts: sizes and places do not depend on what is there; `at` is in the document's space.
@@ -53,22 +65,23 @@ ScriptUse solid_in_scripts(Editor& editor, const NewSolid& shape) {
   const std::vector<OperationNumber> usual = shape.numbers(first_object_radius(Unit::millimetre));
   ScriptUse use;
   use.arguments = arguments_of(usual);
-  use.arguments.push_back(
-      point_argument("at", translatable("Location"), ArgumentUnit::length, Vector3(0, 0, 0)));
+  add_place_arguments(use.arguments);
   use.arguments.push_back(on_off_argument("new_object", translatable("Begins a new object"), false));
   use.run = [&editor, shape, usual](const Arguments& given) {
     begin_document(editor);
     // Without an active object of solids a new one begins.
     if (given.on("new_object")) editor.selection.active = {};
     const Object* object = active_solids(editor);
-    Similarity place;
-    Vector3 at = given.point("at");
-    if (object)
-      at = object->transform.inverse().apply(at);
-    else
-      place.translation = std::exchange(at, Vector3(Vector3::Zero()));
-    const auto put = [at](Solid solid) {
+    const Similarity place = given_place(given);
+    Vector3 at = Vector3::Zero();
+    Vector3 turned = Vector3::Zero();
+    if (object) {
+      at = object->transform.inverse().apply(place.translation);
+      turned = given.point("turned");
+    }
+    const auto put = [at, turned](Solid solid) {
       solid.position = at;
+      solid.rotation = turned;
       return solid;
     };
     add_new_solid(editor, shape, with_values(usual, given), put, place);
@@ -150,10 +163,14 @@ MakeOperation row_of(ObjectId object, std::vector<std::uint32_t> ids) {
   };
 }
 
+std::vector<WrittenCommand> written_row_of_solids(std::span<const OperationNumber> numbers) {
+  return {WrittenCommand{"solid.row", written_numbers(numbers)}};
+}
+
 Result<BegunOperation> begin_row(const Editor& editor) {
   if (const Reason reason = needs_chosen_solids(editor, needs_object(editor)))
     return make_error(e_wrong_selection, *reason);
-  return BegunOperation{row_of(editor.selection.active, selected_solids(editor))};
+  return BegunOperation{row_of(editor.selection.active, selected_solids(editor)), {}, written_row_of_solids};
 }
 
 /// A row of copies of the selected solids, whose number and distance can be adjusted afterwards.
@@ -163,6 +180,7 @@ void make_row(Editor& editor, std::vector<OperationNumber> numbers) {
   step.numbers = std::move(numbers);
   step.make = row_of(editor.selection.active, selected_solids(editor));
   step.begin = begin_row;
+  step.written = written_row_of_solids;
   editor.last_operation.run(editor, std::move(step));
 }
 
@@ -214,7 +232,7 @@ void add_new_solids(CommandHost& host) {
         {.id = std::string("solid.place_") + shape.name,
          .menu = submenu("Solids", translatable("Place")),
          .label = shape.label,
-         .help = "Click where it is to stand, on the ground or on another solid; drag for its size.",
+         .help = "Click where it is to stand, on the working plane or on another solid; drag for its size.",
          .separator_before = first,
          .needs_window = true,
          .run = [&host, shape] {

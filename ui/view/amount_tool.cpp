@@ -21,6 +21,14 @@ constexpr double fine_amount = 0.1;
 /// How near a drag comes to the amount at which something would shrink to nothing.
 constexpr double nearly_all = 0.98;
 
+/// Step of a script, with an amount in the document's space; none where single faces were chosen instead of
+/// regions, or the other way round.
+std::vector<WrittenCommand> written_amount(const AmountOperation& operation, double amount,
+                                           Grouping grouping) {
+  if (operation.command.empty() || grouping != operation.grouping) return {};
+  return {WrittenCommand{operation.command, {written(operation.argument, amount)}}};
+}
+
 /// The operation on what is selected now, with an amount in the document's space.
 Result<BegunOperation> amount_again(const Editor& editor, const AmountOperation& first, double amount,
                                     Grouping grouping) {
@@ -30,6 +38,9 @@ Result<BegunOperation> amount_again(const Editor& editor, const AmountOperation&
   const double own = object ? amount / object->transform.scale : amount;
   BegunOperation begun;
   begun.label = again->label;
+  begun.written = [steps = written_amount(*again, amount, grouping)](std::span<const OperationNumber>) {
+    return steps;
+  };
   begun.make = [operation = std::move(again).value(), own, grouping](
                    const Document& document, std::span<const OperationNumber>) -> Result<OperationResult> {
     auto done = edit_polyhedron(document, operation.object, [&](const PolyhedronSource& source) {
@@ -178,6 +189,7 @@ class AmountTool final : public Tool {
       return ToolState::cancel;
     }
     select_result(context.editor, operation_.object, result_);
+    context.editor.tell_script(written_amount(operation_, amount_, grouping_));
     remember(context.editor);
     return ToolState::commit;
   }

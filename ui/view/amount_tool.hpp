@@ -15,8 +15,10 @@ namespace hariko {
 /// directions in the document's.
 struct AmountOperation {
   ObjectId object;
-  const char* name = "";                 ///< of the value, translatable: "Extrude"
-  std::string label;                     ///< of the step
+  const char* name = "";  ///< of the value, translatable: "Extrude"
+  std::string label;      ///< of the step
+  /// The command and its argument with which a script does the same; empty where none does.
+  std::string command = {}, argument = {};
   Vector3 anchor = Vector3::Zero();      ///< where the selection is
   Vector3 axis = Vector3::Zero();        ///< along which the pointer drags; zero: to the right is more
   bool negative = false;                 ///< whether amounts may be below zero

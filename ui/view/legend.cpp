@@ -290,6 +290,7 @@ Occlusion hiding_of(const Scene& scene, const Projector& projector) {
   constexpr int coarse = 4;  // pixels a side, of one that is looked at
   Scene solid;
   solid.section = scene.section;
+  solid.pixel_scale = scene.pixel_scale;
   for (const SceneObject& object : scene.objects)
     if (object.mesh && object.show_surface) solid.objects.push_back(object);
   const PixelSize size{std::max(1, projector.size().width / coarse),
@@ -322,7 +323,7 @@ void draw_legend(PanelContext& context, const PanelRect& viewport, const SceneBu
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, m.px(6));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 0);
   ImGui::PushStyleColor(ImGuiCol_WindowBg, palette().overlay);
-  ImGui::Begin("##legend", nullptr,
+  ImGui::Begin(legend_window, nullptr,
                ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
                    ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav |
                    ImGuiWindowFlags_AlwaysAutoResize);

@@ -8,6 +8,9 @@
 
 namespace hariko {
 
+/// Name of the window that the legend is.
+inline constexpr const char* legend_window = "##legend";
+
 /// At the lower left of a rectangle, about the active object; nothing where nothing needs explaining. A click
 /// on an end of a map's range types a value, the mode's name offers the others, a right click resets.
 void draw_legend(PanelContext& context, const PanelRect& viewport, const SceneBuilder& scene);

@@ -1,7 +1,11 @@
 // The probe: what the surface is under the pointer, at the lower right, and at a point that was kept.
 
+#include <imgui_internal.h>
+
+#include <algorithm>
 #include <array>
 
+#include "ui/view/legend.hpp"
 #include "ui/view/view_frame.hpp"
 
 namespace hariko {
@@ -38,8 +42,14 @@ std::vector<Row> rows_of(const PanelContext& context, const SurfacePoint& point,
   return rows;
 }
 
-/// Draws the rows with the lower right corner there; gives the box's upper edge.
-float draw_rows(const PanelContext& context, const std::vector<Row>& rows, ImVec2 corner) {
+/// The upper edge of the legend where it reaches into a box in a narrow view; else the lower edge of the box.
+float edge_above_legend(const ImRect& box) {
+  const ImGuiWindow* legend = ImGui::FindWindowByName(legend_window);
+  return legend && legend->WasActive && legend->Rect().Overlaps(box) ? legend->Pos.y : box.Max.y;
+}
+
+/// Draws the rows with the lower right corner there, or above the legend; gives the box.
+ImRect draw_rows(const PanelContext& context, const std::vector<Row>& rows, ImVec2 corner) {
   const Metrics& m = context.metrics;
   float names = 0, values = 0;
   for (const Row& row : rows) {
@@ -47,7 +57,10 @@ float draw_rows(const PanelContext& context, const std::vector<Row>& rows, ImVec
     values = std::max(values, ImGui::CalcTextSize(row.value.c_str()).x);
   }
   const float line = ImGui::GetTextLineHeight() + m.px(3);
-  const ImVec2 low(corner.x - names - values - m.px(36), corner.y - line * float(rows.size()) - m.px(13));
+  const ImVec2 size(names + values + m.px(36), line * float(rows.size()) + m.px(13));
+  const float edge = edge_above_legend({corner.x - size.x, corner.y - size.y, corner.x, corner.y});
+  if (edge < corner.y) corner.y = edge - m.px(6);
+  const ImVec2 low(corner.x - size.x, corner.y - size.y);
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.AddRectFilled(low, corner, palette().overlay, m.px(6));
   float y = low.y + m.px(8);
@@ -57,7 +70,7 @@ float draw_rows(const PanelContext& context, const std::vector<Row>& rows, ImVec
                  row.value.c_str());
     y += line;
   }
-  return low.y;
+  return {low, corner};
 }
 
 }  // namespace
@@ -71,9 +84,9 @@ void draw_probe(PanelContext& context, const Camera& camera, PixelSize size, con
   if (editor.kept_probe) {
     const auto reading = read_probe(editor, *editor.kept_probe);
     if (reading) {
-      const float top = draw_rows(context, rows_of(context, *editor.kept_probe, *reading), corner);
-      context.marks.rect("probe.kept", {corner.x - m.px(10), top}, corner);
-      corner.y = top - m.px(6);
+      const ImRect box = draw_rows(context, rows_of(context, *editor.kept_probe, *reading), corner);
+      context.marks.rect("probe.kept", box.Min, box.Max);
+      corner.y = box.Min.y - m.px(6);
       if (const auto pixel = Projector(camera, size).project(reading->position)) {
         const double scale = double(pane.width()) / size.width;
         const ImVec2 at(pane.min.x + static_cast<float>(pixel->x() * scale),
@@ -90,8 +103,8 @@ void draw_probe(PanelContext& context, const Camera& camera, PixelSize size, con
   const Object* object = editor.document().find(under_pointer->object);
   if (!object || shown_map(editor.view.map, *object) == SurfaceMap::shaded) return;
   if (const auto reading = read_probe(editor, *under_pointer)) {
-    const float top = draw_rows(context, rows_of(context, *under_pointer, *reading), corner);
-    context.marks.rect("probe", {corner.x - m.px(10), top}, corner);
+    const ImRect box = draw_rows(context, rows_of(context, *under_pointer, *reading), corner);
+    context.marks.rect("probe", box.Min, box.Max);
   }
 }
 

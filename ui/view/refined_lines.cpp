@@ -6,7 +6,6 @@
 
 #include "core/modeling/cuts/knife_path.hpp"
 #include "render/shown_edges.hpp"
-#include "ui/editor/operations.hpp"
 
 namespace hariko {
 
@@ -64,7 +63,7 @@ const SurfaceForm* RefinedLines::form_of(const Editor& editor, const Object& obj
     form_ = form_for_refinement(editor, *object.polyhedron());
     formed_ = &object;
   }
-  return form_ ? &*form_ : nullptr;
+  return form_.pointer();
 }
 
 const SurfaceForm* RefinedLines::quick_form_of(const Editor& editor, const Object& object) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/modeling/cuts/cut.hpp"
+#include "ui/editor/operations.hpp"
 #include "ui/view/tool.hpp"
 
 namespace hariko {
@@ -21,6 +22,8 @@ class RefinedLines {
   const SurfaceForm* form_of(const Editor& editor, const Object& object);
   /// The same, but null for polyhedra whose surface takes longer than a frame.
   const SurfaceForm* quick_form_of(const Editor& editor, const Object& object);
+  /// Why `form_of` last gave no form although one should be kept; nothing where it gave one or none is kept.
+  std::optional<Message> lost_form() const { return on_surface ? form_.lost : std::nullopt; }
 
   /// A point of an existing vertex or edge of the object.
   Vector3 point(const Editor& editor, const Object& object, const CutPoint& point);
@@ -29,7 +32,7 @@ class RefinedLines {
                             const CutPoint& to);
 
  private:
-  std::optional<SurfaceForm> form_;
+  FormToKeep form_;
   const Object* formed_ = nullptr;  ///< what `form_` was made for
 };
 

@@ -1,45 +1,106 @@
 #pragma once
 
-// Snapping: places that a drag jumps to.
+// Snapping: places that a drag or a drawing jumps to.
 
 #include <optional>
+#include <string>
 #include <vector>
 
+#include "core/geometry/curve_places.hpp"
+#include "core/modeling/objects/plane_frame.hpp"
 #include "ui/view/tool.hpp"
 #include "ui/view/transform_target.hpp"
 
 namespace hariko {
 
 struct SnapTarget {
-  enum class Kind { vertex, midpoint, grid };
+  enum class Kind { vertex, midpoint, centre, crossing, perpendicular, tangent, curve, surface, grid };
   Kind kind = Kind::grid;
   Vector3 point = Vector3::Zero();  ///< in the document's space
+  /// The object that has it, of a crossing the one in front; none of the grid.
+  std::optional<ObjectId> object = std::nullopt;
 };
 
-/// Design pixels round the pointer within which a vertex or the middle of an edge attracts.
+/// What was caught, in English: "Vertex", "Intersection".
+const char* snap_name(SnapTarget::Kind kind);
+
+/// Design pixels round the pointer within which a place attracts.
 inline constexpr double snap_radius = 14;
 
-/// Vertices and middles of edges that a drag can jump to, as they are when it begins: what moves is not
-/// looked at, and where it snaps does not depend on how far it was dragged before. The middle of an edge is
-/// where the edge is shown: on its curve on the surface, on the straight line of the polyhedron, or both.
+/// Whether a gesture snaps: while Ctrl is held, or while it is not, as the settings say.
+bool snaps_now(const Editor& editor, bool control);
+
+/// What is looked for, and by whom.
+struct SnapGesture {
+  SnapSettings kinds;
+  std::optional<Vector3> from = std::nullopt;  ///< where it began; without it nothing is perpendicular
+  Vector3 normal = Vector3::UnitZ();           ///< tangents are meant as seen along it
+  const TransformTarget* moving = nullptr;     ///< what moves is not caught; null: nothing moves
+};
+
+/// Places that can be caught, as they are when a gesture begins, so that where it snaps does not depend on
+/// how far it was dragged before. Places of edges are where the edge is shown: on its curve on the surface,
+/// on the straight line of the polyhedron, or both. Curves are known by the samples that are drawn.
 class SnapPlaces {
  public:
   SnapPlaces() = default;
-  /// Of the committed document, which the scene shows. O(elements).
-  explicit SnapPlaces(const ToolContext& context);
-  /// The one under the pointer that the target does not move; vertices first.
-  std::optional<SnapTarget> nearest(const ToolContext& context, const TransformTarget& target,
+  /// Places of these kinds of the committed document, which the scene shows. O(elements), for kinds on curves
+  /// O(samples of all curves).
+  SnapPlaces(const ToolContext& context, const SnapSettings& kinds);
+
+  /// The one under the pointer: vertices first, then the nearest of the other points, then curves, then the
+  /// surface. Without the grid. O(places).
+  std::optional<SnapTarget> nearest(const ToolContext& context, const SnapGesture& gesture,
                                     const Vector2& pixel) const;
 
  private:
-  struct Place {
+  /// Vertices that move a place when they move: a part of `vertices_of_`.
+  struct Held {
     ObjectId object;
-    VertexId a, b;  ///< the vertex twice, or the ends of the edge
+    std::size_t first = 0, count = 0;
+  };
+  struct Place {
+    Held held;
     Vector3 point;  ///< in the document's space
   };
-  void add_middles(const ToolContext& context, std::size_t scene_object, const Object& object);
+  struct Curve {
+    Held held;
+    SampledCurve line;  ///< in the document's space
+  };
+  /// A span of a curve near the pointer, on the picture.
+  struct NearSpan {
+    const Curve* curve;
+    std::size_t span;
+    Vector2 begin, end;
+    double distance;  ///< pixels from the pointer
+  };
+  class Search;
 
-  std::vector<Place> vertices_, middles_;
+  Held hold(ObjectId object, std::initializer_list<VertexId> vertices);
+  Held hold(ObjectId object, const std::vector<VertexId>& vertices);
+  bool stands(const SnapGesture& gesture, const Held& held) const;
+
+  void add_cage(const ToolContext& context, std::size_t scene_object, const Object& object,
+                const SnapSettings& kinds);
+  void add_edges(const ToolContext& context, std::size_t scene_object, const Object& object,
+                 const SnapSettings& kinds);
+  void add_solids(const ToolContext& context, std::size_t scene_object, const Object& object,
+                  const SnapSettings& kinds);
+  void add_drawn_curve(const Object& object, const SubdivisionCurve& curve, const std::vector<VertexId>& ids,
+                       const SnapSettings& kinds);
+  void add_skin(const Object& object, const SnapSettings& kinds);
+  void add_outline(const Object& object, const SnapSettings& kinds);
+  void add_curve(const Held& held, std::vector<Vector3> points, bool closed);
+
+  void look_along_curves(const SnapGesture& gesture, Search& search) const;
+  std::vector<NearSpan> near_spans(const SnapGesture& gesture, const Search& search) const;
+  static void look_for_crossings(const std::vector<NearSpan>& spans, Search& search);
+  static void look_on_curves(const std::vector<NearSpan>& spans, Search& search);
+  static void look_on_surfaces(const ToolContext& context, const SnapGesture& gesture, Search& search);
+
+  std::vector<VertexId> vertices_of_;
+  std::vector<Place> vertices_, middles_, centres_;
+  std::vector<Curve> curves_;
 };
 
 /// A decimal step: mantissa * 10^exponent.
@@ -54,8 +115,12 @@ struct DecimalStep {
 /// A power of ten that covers at least 10 design pixels: the lines of the ground grid or a tenth of them.
 DecimalStep grid_step(const ToolContext& context, const Vector3& at);
 
-/// Where a ray of the eye meets the ground, on the grid's steps when it snaps; nothing near the horizon,
-/// where places run away from the pointer, and behind the eye.
-std::optional<Vector3> point_on_ground(const ToolContext& context, const Ray& ray, bool snaps);
+/// The point of a plane's grid next to one of its points.
+Vector3 on_grid(const ToolContext& context, const PlaneFrame& plane, const Vector3& point);
+
+/// Where a ray of the eye meets a plane, on the steps of its grid when it snaps to that; nothing near the
+/// horizon, where places run away from the pointer, and behind the eye.
+std::optional<Vector3> point_on_plane(const ToolContext& context, const PlaneFrame& plane, const Ray& ray,
+                                      bool snaps);
 
 }  // namespace hariko

@@ -1,6 +1,7 @@
 // Drawing of the transform tool: the axes of a lock, the reach of the soft selection, snaps, the value.
 
 #include "ui/view/overlay_drawing.hpp"
+#include "ui/view/snap_catcher.hpp"
 #include "ui/view/transform_tool.hpp"
 
 namespace hariko {
@@ -9,7 +10,7 @@ void TransformTool::draw(const ToolContext& context, const ToolOverlay& overlay)
   if (target_.empty()) return;
   draw_guides(context, overlay);
   if (context.editor.transform.soft.on && target_.of_elements()) draw_falloff(context, overlay);
-  draw_snap(context, overlay);
+  if (snap_) draw_snap_target(context, overlay, *snap_);
   Vector2 beside = pointer_;
   if (by_ == DrivenBy::typing)
     if (const auto pivot = context.projector().project(target_.pivot())) beside = pivot->head<2>();
@@ -53,24 +54,6 @@ void TransformTool::draw_falloff(const ToolContext& context, const ToolOverlay& 
     overlay.list.AddCircleFilled(centre, overlay.metrics.px(4.5F), IM_COL32(20, 21, 24, 220));
     overlay.list.AddCircleFilled(centre, overlay.metrics.px(3.5F),
                                  IM_COL32(mix(0x4a, 0xf2), mix(0xa3, 0x9e), mix(0xdf, 0x38), 255));
-  }
-}
-
-void TransformTool::draw_snap(const ToolContext& context, const ToolOverlay& overlay) const {
-  if (!snap_) return;
-  const auto at = context.projector().project(snap_->point);
-  if (!at) return;
-  const ImVec2 centre = on_screen(overlay, at->head<2>());
-  const float r = overlay.metrics.px(7), w = overlay.metrics.px(2);
-  const ImU32 colour = palette().hot;
-  if (snap_->kind == SnapTarget::Kind::vertex) {
-    overlay.list.AddRect({centre.x - r, centre.y - r}, {centre.x + r, centre.y + r}, colour, 0, 0, w);
-  } else if (snap_->kind == SnapTarget::Kind::midpoint) {
-    overlay.list.AddTriangle({centre.x, centre.y - r}, {centre.x + r, centre.y + r},
-                             {centre.x - r, centre.y + r}, colour, w);
-  } else {
-    overlay.list.AddLine({centre.x - r, centre.y}, {centre.x + r, centre.y}, colour, w);
-    overlay.list.AddLine({centre.x, centre.y - r}, {centre.x, centre.y + r}, colour, w);
   }
 }
 

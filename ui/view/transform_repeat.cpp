@@ -1,5 +1,9 @@
 #include "ui/view/transform_repeat.hpp"
 
+#include <cmath>
+#include <optional>
+#include <utility>
+
 #include "core/modeling/edit_result.hpp"
 
 namespace hariko {
@@ -26,6 +30,8 @@ Result<BegunOperation> transform_again(const Editor& editor, const DoneTransform
   target.follow(soft.on ? soft.radius : 0, soft.falloff);
   const Transformation again = along_axes(done, target.local_frame());
   BegunOperation begun;
+  begun.written = [steps = written_transform(editor, {done.verb, target.local_frame(), again, done.local})](
+                      std::span<const OperationNumber>) { return steps; };
   begun.label = done.verb + " " + target.describe();
   begun.make = [target = std::move(target), again, local = done.local](
                    const Document& document, std::span<const OperationNumber>) -> Result<OperationResult> {
@@ -38,11 +44,51 @@ Result<BegunOperation> transform_again(const Editor& editor, const DoneTransform
   return begun;
 }
 
+/// Column of the frame along an axis, or against it: then the sign is -1. Nothing where there is none.
+std::optional<std::pair<int, double>> column_along(const Matrix3& frame, const Vector3& axis) {
+  constexpr double same = 1 - 1e-14;
+  for (int k = 0; k < 3; ++k)
+    if (const double along = frame.col(k).dot(axis); std::abs(along) > same) return {{k, along < 0 ? -1 : 1}};
+  return {};
+}
+
+/// Arguments of the command, but for those that all three have; nothing where it cannot do the same.
+std::optional<WrittenCommand> written_change(const DoneTransform& done) {
+  const Transformation& change = done.transformation;
+  const Matrix3 frame = done.local ? done.axes : Matrix3(Matrix3::Identity());
+  if (done.verb == "Move") {
+    const Vector3 by = done.local ? Vector3(frame.transpose() * change.translation) : change.translation;
+    return WrittenCommand{"transform.move", {written("by", by)}};
+  }
+  if (!change.translation.isZero(0)) return {};
+  if (done.verb == "Rotate") {
+    const auto column = column_along(frame, change.axis);
+    if (!column) return {};
+    return WrittenCommand{"transform.rotate",
+                          {written("angle", column->second * change.degrees),
+                           written("axis", std::string(1, static_cast<char>('x' + column->first)))}};
+  }
+  const Vector3& factors = change.factors;
+  const bool even = factors.x() == factors.y() && factors.y() == factors.z();
+  return WrittenCommand{"transform.scale",
+                        {even ? written("factor", factors.x()) : written("factors", factors)}};
+}
+
 }  // namespace
+
+std::vector<WrittenCommand> written_transform(const Editor& editor, const DoneTransform& done) {
+  auto step = written_change(done);
+  if (!step) return {};
+  if (done.local) step->arguments.push_back(written_switch("local", true));
+  if (const SoftSelection& soft = editor.transform.soft; soft.on && soft.radius > 0)
+    step->arguments.push_back(written("soft_radius", soft.radius));
+  return {*std::move(step)};
+}
 
 void remember_transform(Editor& editor, const DoneTransform& done) {
   OperationStep step;
   step.label = editor.history.undo_label();
+  editor.tell_script(written_transform(editor, done));
   step.begin = [done](const Editor& now) { return transform_again(now, done); };
   editor.last_operation.take_up(editor, {}, std::move(step));
 }

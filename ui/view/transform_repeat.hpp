@@ -14,7 +14,11 @@ struct DoneTransform {
   bool local = false;  ///< it was made along the local axes, and is repeated along those of what is selected
 };
 
-/// Lets the last step of the editor be repeated as this one.
+/// Steps of a script that transform what is selected like this, softly where the editor does; empty where
+/// scripts have no words for it, such as a turn about the direction of the view.
+std::vector<WrittenCommand> written_transform(const Editor& editor, const DoneTransform& done);
+
+/// Lets the last step of the editor be repeated as this one, and written in a script.
 void remember_transform(Editor& editor, const DoneTransform& done);
 
 }  // namespace hariko

@@ -252,6 +252,10 @@ bool TransformTarget::stands(ObjectId object, VertexId vertex) const {
   return true;
 }
 
+bool TransformTarget::changes(ObjectId object) const {
+  return std::any_of(parts_.begin(), parts_.end(), [&](const Part& part) { return part.object == object; });
+}
+
 void TransformTarget::follow(double radius, Falloff kind) {
   for (Part& part : parts_) {
     if (part.whole || part.frozen) continue;          // a local edit moves nothing else

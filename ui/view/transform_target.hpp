@@ -42,6 +42,8 @@ class TransformTarget {
   const std::vector<Vector3>& selected_points() const { return selected_; }
   /// Whether a vertex stays where it is: those can be snapped to.
   bool stands(ObjectId object, VertexId vertex) const;
+  /// Whether anything of an object is transformed.
+  bool changes(ObjectId object) const;
 
   /// Lets vertices within the radius follow, or none (radius 0).
   void follow(double radius, Falloff falloff);

@@ -52,7 +52,7 @@ void TransformTool::begin(ToolContext& context, const PointerEvent& press) {
     lock_ = section_plane_lock;
     input_.resize(fields());
   }
-  if (!places_ && by_ != DrivenBy::typing) places_.emplace(context);
+  if (!places_ && by_ != DrivenBy::typing) places_.emplace(context, editor.settings.snaps);
   anchor_ = target_.pivot();
   // The grabbed point stays under the pointer.
   if (by_ == DrivenBy::element)
@@ -116,7 +116,7 @@ ToolState TransformTool::update(ToolContext& context, const PointerEvent& event)
 
 void TransformTool::follow_pointer(const ToolContext& context, const PointerEvent& event) {
   fine_ = event.shift;
-  snapping_ = event.control;
+  snapping_ = snaps_now(context.editor, event.control);
   keep_through_view_change(context, event.pixel);
   const Vector2 by = event.pixel - pointer_;
   // With Ctrl, Shift makes the steps finer and not the hand.
@@ -200,7 +200,8 @@ Transformation TransformTool::move(const ToolContext& context) {
   return result;
 }
 
-/// The translation that puts the source on the element under the pointer, or on the grid.
+/// The translation that puts the source on the place under the pointer, or on the grid: that of the working
+/// plane, where the axes are not local ones.
 Vector3 TransformTool::snapped(const ToolContext& context, const Vector3& translation) {
   const Matrix3 axes = frame();
   const auto allowed = [&](const Vector3& wanted) -> Vector3 {
@@ -210,8 +211,12 @@ Vector3 TransformTool::snapped(const ToolContext& context, const Vector3& transl
       if ((i == lock_.axis) != (lock_.kind == AxisLock::Kind::axis)) local[i] = 0;
     return axes * local;
   };
-  snap_ = places_ ? places_->nearest(context, target_, pointer_) : std::nullopt;
+  const SnapSettings& kinds = context.editor.settings.snaps;
+  const PlaneFrame& plane = context.editor.working_plane.frame;
+  const SnapGesture gesture{kinds, source_, plane.normal(), &target_};
+  snap_ = places_ ? places_->nearest(context, gesture, pointer_) : std::nullopt;
   if (snap_) return allowed(snap_->point - source_);
+  if (!kinds.grid) return translation;
   DecimalStep step = grid_step(context, source_);
   if (fine_) step = step.tenth();
   // Local axes have no grid of their own: steps along them count from where the drag began.
@@ -221,9 +226,11 @@ Vector3 TransformTool::snapped(const ToolContext& context, const Vector3& transl
     for (double& x : local) x = step.nearest(x);
     result = allowed(axes * local);
   } else {
-    Vector3 place = source_ + translation;
+    // Locks are along the axes of the document, so they count in its own grid.
+    const PlaneFrame grid = lock_.kind == AxisLock::Kind::free ? plane : PlaneFrame{};
+    Vector3 place = grid.local(source_ + translation);
     for (double& x : place) x = step.nearest(x);
-    result = allowed(place - source_);
+    result = allowed(grid.at(place) - source_);
   }
   snap_ = SnapTarget{SnapTarget::Kind::grid, source_ + result};
   return result;
@@ -428,6 +435,7 @@ std::string TransformTool::value_text(const Language& tr) const {
 std::string TransformTool::hint(const Language& tr) const {
   if (target_.empty()) return {};
   std::string text = std::string(tr(verb(kind_))) + "  " + value_text(tr) + "   |   ";
+  if (snap_) text += std::string(tr(snap_name(snap_->kind))) + "   |   ";
   text +=
       tr("X Y Z axis   Shift+X plane   digits type   Shift fine   Ctrl snaps   Enter confirms   Esc cancels");
   return text;

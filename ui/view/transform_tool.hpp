@@ -78,7 +78,6 @@ class TransformTool final : public Tool {
   std::string value_text(const Language& tr) const;
   void draw_guides(const ToolContext& context, const ToolOverlay& overlay) const;
   void draw_falloff(const ToolContext& context, const ToolOverlay& overlay) const;
-  void draw_snap(const ToolContext& context, const ToolOverlay& overlay) const;
 
   TransformKind kind_;
   DrivenBy by_;

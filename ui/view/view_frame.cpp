@@ -12,18 +12,6 @@ namespace hariko {
 
 namespace {
 
-struct TitlePlace {
-  ImVec2 min, max;
-};
-
-TitlePlace title_place(const PanelContext& context, int view, const PanelRect& pane) {
-  const Metrics& m = context.metrics;
-  const View& shown = context.editor.layout.views[static_cast<std::size_t>(view)];
-  const ImVec2 text = ImGui::CalcTextSize(context.tr(title_of(shown.goal())));
-  const ImVec2 min(pane.min.x + m.px(8), pane.min.y + m.px(8));
-  return {min, {min.x + text.x + m.px(30), min.y + text.y + m.px(8)}};
-}
-
 std::string popup_name(int view) {
   return "view menu " + std::to_string(view);
 }
@@ -84,8 +72,16 @@ const char* title_of(const Camera& camera) {
   }
 }
 
+PanelRect view_title_place(const PanelContext& context, int view, const PanelRect& pane) {
+  const Metrics& m = context.metrics;
+  const View& shown = context.editor.layout.views[static_cast<std::size_t>(view)];
+  const ImVec2 text = ImGui::CalcTextSize(context.tr(title_of(shown.goal())));
+  const ImVec2 min(pane.min.x + m.px(8), pane.min.y + m.px(8));
+  return {min, {min.x + text.x + m.px(30), min.y + text.y + m.px(8)}};
+}
+
 bool view_title_button(PanelContext& context, int view, const PanelRect& pane) {
-  const TitlePlace place = title_place(context, view, pane);
+  const PanelRect place = view_title_place(context, view, pane);
   ImGui::SetCursorScreenPos(place.min);
   const std::string name = "title" + std::to_string(view);
   ImGui::InvisibleButton(name.c_str(), {place.max.x - place.min.x, place.max.y - place.min.y});
@@ -107,7 +103,7 @@ bool view_title_button(PanelContext& context, int view, const PanelRect& pane) {
 
 void draw_view_title(PanelContext& context, int view, const PanelRect& pane, bool hovered) {
   const Metrics& m = context.metrics;
-  const TitlePlace place = title_place(context, view, pane);
+  const PanelRect place = view_title_place(context, view, pane);
   const View& shown = context.editor.layout.views[static_cast<std::size_t>(view)];
   const bool active = context.editor.layout.active() == view;
   ImDrawList& list = *ImGui::GetWindowDrawList();

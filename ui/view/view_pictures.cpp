@@ -5,6 +5,18 @@
 
 namespace hariko {
 
+namespace {
+
+/// Adds the time of a picture; nothing remains where one is not known or had other samples. Begins with no
+/// samples.
+void add_time(std::optional<PictureTime>& sum, const std::optional<PictureTime>& one) {
+  if (!sum) return;
+  if (!one || (sum->samples > 0 && sum->samples != one->samples)) return sum.reset();
+  *sum = {sum->milliseconds + one->milliseconds, one->samples};
+}
+
+}  // namespace
+
 void ViewPictures::update(Editor& editor, const SceneBuilder& scene, std::span<const Shown> shown, bool busy,
                           std::uint64_t jumps) {
   statistics_ = {};
@@ -18,7 +30,8 @@ void ViewPictures::update(Editor& editor, const SceneBuilder& scene, std::span<c
     renderer_.forget(view);
     state = {};
   }
-  const bool slow = quick_samples_ < full_samples;
+  const bool slow = motion_.samples() < full_samples;
+  std::optional<PictureTime> time = PictureTime{};  // of all pictures drawn here
   bool other_drawn = false;
   next_other_ = (next_other_ + 1) % ViewLayout::count;
   // The active view first, then the others in turn.
@@ -35,7 +48,7 @@ void ViewPictures::update(Editor& editor, const SceneBuilder& scene, std::span<c
                          !(state.camera == view.camera(editor.now));
     if (changed) state.changed_at = editor.now;
     const bool moving = busy || view.flying(editor.now) || editor.now - state.changed_at < rest_seconds;
-    const int samples = moving && state.exists ? quick_samples_ : full_samples;
+    const int samples = moving && state.exists ? motion_.samples() : full_samples;
     const bool wanted = changed || samples > state.samples || state.unfinished;
     const bool waits = slow && wanted && state.exists && s.view != editor.layout.active() && other_drawn;
     state.stale = changed && waits;
@@ -45,20 +58,22 @@ void ViewPictures::update(Editor& editor, const SceneBuilder& scene, std::span<c
         renderer_.keep(s.view))
       state.fades_from = editor.now;
     state.jumps = jumps;
-    draw(editor, scene, s, samples);
+    add_time(time, draw(editor, scene, s, samples));
     other_drawn = other_drawn || s.view != editor.layout.active() || samples == full_samples;
   }
+  if (time && time->samples > 0) motion_.measured(time->samples, time->milliseconds);
   milliseconds_ = 0;
   if (!editor.frame_times.visible || drawn_ == before) return;
   renderer_.finish();
   milliseconds_ = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
 }
 
-void ViewPictures::draw(Editor& editor, const SceneBuilder& scene, const Shown& shown, int samples) {
+std::optional<PictureTime> ViewPictures::draw(Editor& editor, const SceneBuilder& scene, const Shown& shown,
+                                              int samples) {
   State& state = states_[static_cast<std::size_t>(shown.view)];
   const Camera camera = editor.layout.views[static_cast<std::size_t>(shown.view)].camera(editor.now);
-  const auto done =
-      renderer_.draw(scene.scene_of(shown.view), camera, {shown.size, samples, shown.view, upload_bytes});
+  const auto done = renderer_.draw(scene.scene_of(shown.view), camera,
+                                   {shown.size, samples, shown.view, upload_bytes, motion_.chooses()});
   if (!done.ok()) editor.notify(done.error());
   if (state.size != shown.size) state.fades_from = -1;
   state.exists = true;
@@ -73,6 +88,7 @@ void ViewPictures::draw(Editor& editor, const SceneBuilder& scene, const Shown& 
   statistics_.triangles += now.triangles;
   statistics_.draw_calls += now.draw_calls;
   ++drawn_;
+  return now.time;
 }
 
 double ViewPictures::shown_share(int view, double now) const {

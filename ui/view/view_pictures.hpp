@@ -4,11 +4,13 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 
 #include "render/renderer.hpp"
 #include "ui/editor/scene_builder.hpp"
 #include "ui/editor/view_layout.hpp"
+#include "ui/view/motion_samples.hpp"
 
 namespace hariko {
 
@@ -18,8 +20,8 @@ static_assert(thumbnail_picture < Renderer::most_pictures);
 
 class ViewPictures {
  public:
-  /// `quick_samples`: samples a pixel while something moves (1 on software renderers, 4 otherwise).
-  ViewPictures(Renderer& renderer, int quick_samples) : renderer_(renderer), quick_samples_(quick_samples) {}
+  /// `quick_samples`: the most samples a pixel while something moves (1 on software renderers, 4 otherwise).
+  ViewPictures(Renderer& renderer, int quick_samples) : renderer_(renderer), motion_(quick_samples) {}
 
   struct Shown {
     int view = 0;
@@ -56,10 +58,11 @@ class ViewPictures {
     double fades_from = -1;  ///< when a fade began
   };
   bool wants_rest(const State& state) const { return state.exists && state.samples < full_samples; }
-  void draw(Editor& editor, const SceneBuilder& scene, const Shown& shown, int samples);
+  /// Returns how long an earlier drawing of the view took, where that is known by now.
+  std::optional<PictureTime> draw(Editor& editor, const SceneBuilder& scene, const Shown& shown, int samples);
 
   Renderer& renderer_;
-  int quick_samples_;
+  MotionSamples motion_;
   std::array<State, ViewLayout::count> states_;
   std::uint64_t drawn_ = 0;
   double milliseconds_ = 0;

@@ -7,6 +7,7 @@
 #include "ui/view/legend.hpp"
 #include "ui/view/mesh_overlay.hpp"
 #include "ui/view/navigation.hpp"
+#include "ui/view/snap_menu.hpp"
 #include "ui/view/view_frame.hpp"
 
 namespace hariko {
@@ -55,6 +56,8 @@ void Viewport::draw(PanelContext& context, const PanelRect& rect) {
     panes_.drag_splitters(context, rect);
     for (Place& place : panes_.places()) {
       place.title_hovered = view_title_button(context, place.view, place.rect);
+      place.snaps_hovered =
+          snap_button(context, place.view, view_title_place(context, place.view, place.rect), place.rect);
       gizmo_button(context, place);
     }
     ImGui::SetCursorScreenPos(rect.min);
@@ -159,6 +162,8 @@ void Viewport::draw_over(PanelContext& context, const Place& place, const Camera
   if (active) draw_probe(context, camera, size, place.rect, pointed_at_);
   if (active) draw_frame_overlay(context, place.rect);
   draw_view_title(context, place.view, place.rect, place.title_hovered);
+  draw_snap_button(context, place.view, view_title_place(context, place.view, place.rect), place.rect,
+                   place.snaps_hovered);
 }
 
 void Viewport::handle_pointer(bool hovered) {

@@ -20,7 +20,7 @@ namespace hariko {
 
 class Viewport {
  public:
-  /// `quick_samples`: samples a pixel while something moves (1 on software renderers, 4 otherwise).
+  /// `quick_samples`: the most samples a pixel while something moves (1 on software renderers, 4 otherwise).
   /// `layers`: what stands over the pictures; the first lies above the others.
   Viewport(Editor& editor, Renderer& renderer, int quick_samples,
            std::vector<std::unique_ptr<ViewLayer>> layers)

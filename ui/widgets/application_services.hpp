@@ -86,6 +86,11 @@ class ApplicationServices {
   /// Ends the recording.
   virtual void stop_recording() = 0;
 
+  /// Writes what is done from now on as a script, until it is told to stop.
+  virtual void record_script(const std::filesystem::path& path) = 0;
+  /// Ends that, and writes the file.
+  virtual void stop_script() = 0;
+
   /// Gives a sample its picture, now or later.
   virtual void give_picture(Sample& sample) = 0;
   /// Ends the program, without a question.

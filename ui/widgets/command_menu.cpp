@@ -1,9 +1,24 @@
 #include "ui/widgets/command_menu.hpp"
 
+#include <algorithm>
+#include <string>
+#include <vector>
+
 #include "ui/base/icons.hpp"
 #include "ui/base/text_lines.hpp"
+#include "ui/widgets/tips.hpp"
 
 namespace hariko {
+
+namespace {
+
+/// Sentence of a tip; its keys stand behind it.
+struct TipPart {
+  std::string text, keys;
+  ImU32 colour;
+};
+
+}  // namespace
 
 void draw_menu_nodes(PanelContext& context, const std::vector<MenuNode>& nodes, const char* prefix) {
   const Language& tr = context.tr;
@@ -32,22 +47,32 @@ void draw_menu_nodes(PanelContext& context, const std::vector<MenuNode>& nodes, 
 void command_tooltip(const PanelContext& context, const Command& command,
                      const std::optional<std::string>& reason, bool with_label) {
   const Language& tr = context.tr;
-  ImGui::BeginTooltip();
-  const float right = context.metrics.px(320);
-  if (with_label) {
-    ImGui::TextUnformatted(tr(command.label.c_str()));
-    if (!command.keys.empty()) {
-      ImGui::SameLine(0, context.metrics.px(16));
-      ImGui::TextDisabled("%s", command.keys.c_str());
+  std::vector<TipPart> parts;
+  if (with_label) parts.push_back({tr(command.label), command.keys, palette().text});
+  if (!command.help.empty())
+    parts.push_back({tr(command.help), {}, with_label ? palette().dim_text : palette().text});
+  if (reason) parts.push_back({tr.phrase(*reason), {}, palette().warning});
+  if (parts.empty()) return;
+  const ImVec2 spacing = ImGui::GetStyle().ItemSpacing;
+  const float keys_at = context.metrics.px(16);
+  const float width = place_tip(with_label ? TipBeside::panel : TipBeside::menu, [&](float most) {
+    ImVec2 size(0, -spacing.y);
+    for (const TipPart& part : parts) {
+      const ImVec2 words = ImGui::CalcTextSize(in_lines(part.text, most).c_str());
+      const float keys = part.keys.empty() ? 0 : keys_at + ImGui::CalcTextSize(part.keys.c_str()).x;
+      size = {std::max(size.x, words.x + keys), size.y + words.y + spacing.y};
     }
-  }
-  if (!command.help.empty()) {
-    const TextColour colour(with_label ? palette().dim_text : palette().text);
-    text_in_lines(tr(command.help.c_str()), right);
-  }
-  if (reason) {
-    const TextColour colour(palette().warning);
-    text_in_lines(tr.phrase(*reason), right);
+    return size;
+  });
+  ImGui::BeginTooltip();
+  for (const TipPart& part : parts) {
+    {
+      const TextColour colour(part.colour);
+      ImGui::TextUnformatted(in_lines(part.text, width).c_str());
+    }
+    if (part.keys.empty()) continue;
+    ImGui::SameLine(0, keys_at);
+    ImGui::TextDisabled("%s", part.keys.c_str());
   }
   ImGui::EndTooltip();
 }

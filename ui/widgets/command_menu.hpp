@@ -11,7 +11,8 @@ namespace hariko {
 /// "menu.Name".
 void draw_menu_nodes(PanelContext& context, const std::vector<MenuNode>& nodes, const char* prefix);
 
-/// Help of a command, and why it cannot run, in a tooltip at the pointer. `reason` is already known there.
+/// Help of a command, and why it cannot run, beside the panel or, without the label, beside the menus of the
+/// last item. `reason` is already known there.
 void command_tooltip(const PanelContext& context, const Command& command,
                      const std::optional<std::string>& reason, bool with_label);
 

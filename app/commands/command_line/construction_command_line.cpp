@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 
 #include "app/commands/console.hpp"
+#include "core/document/words.hpp"
 
 namespace hariko {
 
@@ -10,22 +11,15 @@ namespace {
 
 constexpr Code w_option_ignored{"W_OPTION_IGNORED"};
 
-Mode mode_of(const std::string& word) {
-  return word == "paper"    ? Mode::paper
-         : word == "target" ? Mode::target
-         : word == "g2"     ? Mode::g2
-                            : Mode::fair;
-}
-
 }  // namespace
 
 void ConstructionCommandLine::add_to(CLI::App& command) {
   command.add_option("--mode", mode_, "Construction of the surfaces, instead of the document's")
-      ->check(CLI::IsMember({"paper", "target", "fair", "g2"}));
+      ->check(CLI::IsMember(enum_word_list<Mode>()));
   command
       .add_option("--frames", frames_,
                   "Whether angles and lengths of the polyhedra count in modes target, fair and g2")
-      ->check(CLI::IsMember({"equal", "metric"}));
+      ->check(CLI::IsMember(enum_word_list<Frames>()));
   command
       .add_option("--merge-coplanar", merge_coplanar_,
                   "Whether triangles of polyhedra that lie in one plane are merged on the way to the surface")
@@ -38,11 +32,11 @@ void ConstructionCommandLine::add_to(CLI::App& command) {
 
 Construction ConstructionCommandLine::construction() const {
   Construction out;
-  if (!mode_.empty()) out.mode = mode_of(mode_);
+  out.mode = enum_value<Mode>(mode_);
   if (round_)
     report("", make_warning(w_option_ignored, "--round has no meaning any more: mode g2 is round by itself.",
                             "Leave the option out."));
-  if (!frames_.empty()) out.frames = frames_ == "metric" ? Frames::metric : Frames::equal;
+  out.frames = enum_value<Frames>(frames_);
   if (!merge_coplanar_.empty()) out.merge_coplanar = merge_coplanar_ == "on";
   out.outlines = outlines_.construction();
   out.solids = solids_.construction();

@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <cmath>
 
+#include "core/document/words.hpp"
 #include "core/exchange/mesh_file.hpp"
 
 namespace hariko {
@@ -10,7 +11,7 @@ namespace hariko {
 void FileOptions::add_to(CLI::App* command) {
   command
       ->add_option("--unit", unit_, "Of the numbers in the file: mm, cm, m or in, instead of the document's")
-      ->check(CLI::IsMember({"mm", "cm", "m", "in"}));
+      ->check(CLI::IsMember(enum_word_list<Unit>()));
   command->add_option("--scale", scale_, "Multiplies all lengths")->capture_default_str();
   command->add_option("--up", up_, "Axis of the file that points up: z (default) or y")
       ->check(CLI::IsMember({"y", "z"}));
@@ -41,8 +42,7 @@ void FileOptions::check(const std::filesystem::path& out) const {
 
 FileArguments FileOptions::arguments() const {
   FileArguments out;
-  for (const Unit unit : {Unit::millimetre, Unit::centimetre, Unit::metre, Unit::inch})
-    if (to_string(unit) == unit_) out.choices.unit = unit;
+  out.choices.unit = enum_value<Unit>(unit_);
   out.choices.scale = scale_;
   out.choices.y_up = up_ == "y";
   out.choices.ascii = ascii_;

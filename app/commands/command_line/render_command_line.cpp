@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "core/base/files/file_ending.hpp"
+#include "core/document/words.hpp"
 #include "render/color_map.hpp"
 #include "render/picture.hpp"
 
@@ -110,12 +111,6 @@ std::optional<Vector3> parse_pull(std::string_view text, StandardView view) {
   return out;
 }
 
-Material material_from(std::string_view word) {
-  constexpr std::array<std::string_view, material_count> words{"clay", "porcelain", "metal",
-                                                               "wax",  "rubber",    "plastic"};
-  return static_cast<Material>(std::find(words.begin(), words.end(), word) - words.begin());
-}
-
 bool is_png(const std::string& path) {
   return lower_ending(path) == ".png";
 }
@@ -165,12 +160,12 @@ void RenderCommandLine::add_looks() {
       command_->add_option("--range", range_, "Of the map: symmetric, percentile, full, or LOW,HIGH")
           ->capture_default_str(),
       command_->add_option("--material", material_, "Instead of each object's own")
-          ->check(CLI::IsMember({"clay", "porcelain", "metal", "wax", "rubber", "plastic"})),
+          ->check(CLI::IsMember(enum_word_list<Material>())),
       command_->add_option("--colour", colour_, "As #b9b4ac, instead of each object's own"),
       command_
           ->add_option("--wire", wire_,
                        "Lines over the surface: none, borders of patches, or the display mesh")
-          ->check(CLI::IsMember({"none", "borders", "mesh"}))
+          ->check(CLI::IsMember(enum_word_list<PatchWire>()))
           ->capture_default_str(),
       command_->add_option("--stripes", arguments_.stripes, "Of zebra and isophotes, 2 to 64")
           ->check(CLI::Range(2, 64))
@@ -277,8 +272,8 @@ RenderArguments RenderCommandLine::picture() const {
   out.range = *parse_range(range_);
   if (!pull_.empty()) out.pull = parse_pull(pull_, out.view);
   out.limit = limit_;
-  out.wire = wire_ == "mesh" ? PatchWire::mesh : (wire_ == "borders" ? PatchWire::borders : PatchWire::none);
-  if (!material_.empty()) out.material = material_from(material_);
+  out.wire = enum_value<PatchWire>(wire_).value_or(PatchWire::none);
+  out.material = enum_value<Material>(material_);
   if (!colour_.empty()) out.colour = parse_colour(colour_);
   if (!section_.empty()) out.section = parse_section(section_);
   out.background = background_ == "light"         ? Background::light

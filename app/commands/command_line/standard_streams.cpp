@@ -160,8 +160,24 @@ void StandardStreams::check() const {
   if (out_.empty() && !to_.empty()) throw CLI::ValidationError("--to", "is for - as OUT");
 }
 
+/// Number of files that the job wrote into the scratch folder.
+std::size_t StandardStreams::written_files() const {
+  std::error_code unknown;
+  std::size_t out = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(out_.parent_path(), unknown))
+    out += entry.path() != in_ ? 1 : 0;
+  return out;
+}
+
 int StandardStreams::finish(int code) {
   if (out_.empty() || code != exit_fine) return code;
+  if (written_files() > 1) {
+    report("",
+           make_error(e_output,
+                      "The job makes several files, and the standard output holds one: nothing was written.",
+                      "Choose a format that holds all pages, such as pdf, or name a file."));
+    return exit_failed;
+  }
   if (write_all(saved_output_, out_)) return code;
   report("", make_error(e_output, "The result could not be written to the standard output.",
                         "Check that the disk is not full and that the reading program still runs."));

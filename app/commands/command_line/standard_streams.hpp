@@ -33,7 +33,8 @@ class StandardStreams {
   void write(CLI::Option& option, std::string format);
   /// Validates the options after parsing: --from and --to are for "-" only. Throws CLI::ValidationError.
   void check() const;
-  /// Copies OUT to the standard output after the job. Returns the job's exit code `code`, or 1 on failure.
+  /// Copies OUT to the standard output after the job. Returns the job's exit code `code`, or 1 on failure,
+  /// which it also is where the job made several files, as a page each.
   int finish(int code);
 
  private:
@@ -42,6 +43,7 @@ class StandardStreams {
   std::string keep_input(const std::string& name, const std::string& format);
   std::string redirect_output(const std::string& format);
   const std::filesystem::path& folder();
+  std::size_t written_files() const;
 
   std::unique_ptr<ScratchFolder> folder_;
   std::filesystem::path in_, out_;  ///< empty where a file is named

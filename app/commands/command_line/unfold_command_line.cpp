@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "app/files/sheet_file.hpp"
+#include "core/document/words.hpp"
 
 namespace hariko {
 
@@ -55,7 +56,7 @@ void UnfoldCommandLine::add_to(CLI::App& app) {
       ->excludes(width)
       ->excludes(depth);
   command_->add_option("--goal", goal_, "What matters most")
-      ->check(CLI::IsMember({"fewest", "balanced", "easiest"}))
+      ->check(CLI::IsMember(enum_word_list<CutGoal>()))
       ->capture_default_str();
   command_->add_option("--method", method_, "search, or paper: the published method, which leaves overlaps")
       ->check(CLI::IsMember({"search", "paper"}))
@@ -113,9 +114,7 @@ UnfoldArguments UnfoldCommandLine::arguments() const {
   if (width_ > 0) out.size = PaperModelSize{0, width_};
   if (depth_ > 0) out.size = PaperModelSize{1, depth_};
   if (height_ > 0) out.size = PaperModelSize{2, height_};
-  out.options.goal = goal_ == "balanced"  ? CutGoal::balanced
-                     : goal_ == "easiest" ? CutGoal::easiest
-                                          : CutGoal::fewest;
+  out.options.goal = enum_value<CutGoal>(goal_).value_or(CutGoal::fewest);
   out.options.method = method_ == "paper" ? CutMethod::reference : CutMethod::search;
   return out;
 }

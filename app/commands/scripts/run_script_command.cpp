@@ -6,8 +6,8 @@
 #include "app/commands/console.hpp"
 #include "app/commands/document_input.hpp"
 #include "app/commands/scripts/command_list.hpp"
-#include "app/commands/scripts/script_file.hpp"
-#include "app/commands/scripts/script_session.hpp"
+#include "app/scripts/script_file.hpp"
+#include "app/scripts/script_session.hpp"
 #include "core/base/files/file_io.hpp"
 #include "core/base/text/nearest_word.hpp"
 #include "core/base/text/sanitized_utf8.hpp"
@@ -17,6 +17,7 @@ namespace hariko {
 namespace {
 
 constexpr Code w_script_written{"W_SCRIPT_WRITTEN"};
+constexpr Code w_script_left_out{"W_SCRIPT_LEFT_OUT"};
 constexpr std::uint64_t largest_script = std::uint64_t(64) << 20;  ///< bytes
 
 Message at_step(std::size_t index, const ScriptStep& step, const std::string& text) {
@@ -46,6 +47,14 @@ std::optional<Message> wrong_step(std::size_t index, const ScriptStep& step, con
   return {};
 }
 
+Message edits_left_out(std::size_t count) {
+  return make_warning(
+      w_script_left_out,
+      (count == 1 ? "1 edit is" : std::to_string(count) + " edits are") +
+          " missing in this script: they were made while it was recorded, and have no command.",
+      "Its member \"notes\" says which, and between which steps.");
+}
+
 class ScriptRun {
  public:
   explicit ScriptRun(const ScriptArguments& arguments)
@@ -58,11 +67,13 @@ class ScriptRun {
     if (!text) return failed(text.error());
     const auto script = read_script(*text);
     if (!script) return failed(script.error());
-    for (std::size_t i = 0; i < script->size(); ++i)
-      if (const auto wrong = wrong_step(i, (*script)[i], session_.commands())) return failed(*wrong);
+    const std::vector<ScriptStep>& steps = script->steps;
+    for (std::size_t i = 0; i < steps.size(); ++i)
+      if (const auto wrong = wrong_step(i, steps[i], session_.commands())) return failed(*wrong);
+    if (script->left_out > 0) report(arguments_.file.string(), edits_left_out(script->left_out));
     if (const auto opened = open_input(); !opened) return failed(opened.error());
-    for (std::size_t i = 0; i < script->size(); ++i)
-      if (const auto done = run_step(i, (*script)[i]); !done) return failed(done.error());
+    for (std::size_t i = 0; i < steps.size(); ++i)
+      if (const auto done = run_step(i, steps[i]); !done) return failed(done.error());
     return finish();
   }
 

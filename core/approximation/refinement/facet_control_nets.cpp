@@ -12,7 +12,7 @@ constexpr double cut_rounding = 1e-15;
 }  // namespace
 
 FacetNets::FacetNets(const SurfaceSampler& sampler) : sampler_(sampler) {
-  const PatchSet& patches = sampler.surface().patches();
+  const PatchSet& patches = sampler.patches();
   shapes_.assign(patches.patch_count(), nullptr);
   for (Index p = 0; p < patches.patch_count(); ++p) {
     const int degree = polynomial_degree(patches, p);
@@ -47,7 +47,7 @@ FacetNet FacetNets::made(const ParameterFacet& facet, std::span<Vector3, Triangl
   for (std::size_t k = 0; k < count; ++k)
     parameters[k] = at_barycentric(facet.parameter, grid[k].x(), grid[k].y());
   sampler_.positions(facet.patch, {parameters.data(), count}, {samples.data(), count});
-  sampler_.hull(facet.patch, facet.parameter, {samples.data(), count}, {balls.data(), count});
+  sampler_.patches().hull(facet.patch, facet.parameter, {samples.data(), count}, {balls.data(), count});
   FacetNet out{&shape, room.data(), 0};
   for (std::size_t k = 0; k < count; ++k) {
     room[k] = balls[k].centre;

@@ -53,7 +53,7 @@ class DistanceSearch {
         closed_(corners_),
         limit_(tolerance * tolerance),
         tolerance_(tolerance),
-        degree_(errors.sampler_.hull_degree(patch_)) {}
+        degree_(errors.sampler_.patches().hull_degree(patch_)) {}
 
   /// Bounds the distance as far as needed to decide on the tolerance; stops where it is exceeded.
   DistanceError decide(const ParameterPieces& pieces, const std::array<Sides, 2>& sides) {
@@ -114,7 +114,7 @@ class DistanceSearch {
               [&](int side, int k) { worst = std::max(worst, squared(samples[std::size_t(k)], side)); });
     sampled_ = std::max(sampled_, worst);
     if (stop && worst > limit_) return std::sqrt(worst);
-    errors_.sampler_.hull(patch_, triangle, {samples.data(), count}, {balls.data(), count});
+    errors_.sampler_.patches().hull(patch_, triangle, {samples.data(), count}, {balls.data(), count});
     double bound = 0;
     for (std::size_t k = 0; k < count; ++k)
       bound = std::max(bound, std::sqrt(squared(balls[k].centre)) + balls[k].radius);

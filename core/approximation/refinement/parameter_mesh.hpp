@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/base/vector.hpp"
-#include "core/surface/facet_evaluation.hpp"
+#include "core/surface/patch.hpp"
 #include "core/surface/surface.hpp"
 
 namespace hariko {

@@ -8,6 +8,14 @@
 
 namespace hariko {
 
+namespace {
+
+/// Distance between surface and facets where nothing has a size, in millimetres: one fiftieth of the side of
+/// a new box.
+constexpr double usual_distance = 0.5;
+
+}  // namespace
+
 Document set_paper(const Document& document, PaperModel paper) {
   if (document.paper && *document.paper == paper) return document;
   Document out = document;
@@ -34,7 +42,8 @@ double proposed_distance(const Document& document, std::span<const ObjectId> obj
   for (const ObjectId id : objects)
     if (const Object* object = document.find(id)) box.extend(world_box(*object));
   const double distance = box.isEmpty() ? 0 : 0.01 * box.diagonal().norm();
-  if (!(distance > 1e-290) || !std::isfinite(distance)) return 0.5;
+  if (!(distance > 1e-290) || !std::isfinite(distance))
+    return usual_distance / millimetres_per(document.unit);
   const double digit = std::pow(10, std::floor(std::log10(distance)));
   return std::max(1.0, std::round(distance / digit)) * digit;
 }

@@ -17,8 +17,8 @@ Document remove_paper(const Document& document);
 std::vector<ObjectId> unfoldable_objects(const Document& document);
 
 /// Suitable distance between surface and facets for paper: 1 % of the diagonal of the bounding box of the
-/// objects' polyhedra, nets and meshes, rounded to one digit. Positive; 0.5 where the box is empty or a
-/// point.
+/// objects' polyhedra, nets and meshes, rounded to one digit. A length in the document's unit, positive;
+/// half a millimetre where the box is empty or a point.
 double proposed_distance(const Document& document, std::span<const ObjectId> objects);
 
 }  // namespace hariko

@@ -8,10 +8,10 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
-#include <vector>
 
+#include "core/base/assert.hpp"
 #include "core/base/vector.hpp"
-#include "core/document/source.hpp"
+#include "core/document/format/kept_members.hpp"
 
 namespace hariko::detail {
 
@@ -89,33 +89,12 @@ class DocumentText {
   void vector(const Vector3& v) {
     row(3, [&](std::size_t i) { number(v[static_cast<Eigen::Index>(i)]); });
   }
-  /// Writes [a, b, c] of numbers.
-  template <class Number>
-  void numbers(const std::vector<Number>& values) {
-    row(values.size(), [&](std::size_t i) { number(values[i]); });
-  }
-  /// Writes [[x, y, z], ...] on one line.
-  void vectors(const std::vector<Vector3>& values) {
-    row(values.size(), [&](std::size_t i) { vector(values[i]); });
-  }
   /// Writes kept members, byte for byte.
   void kept(const KeptMembers& members) {
     for (const KeptMember& member : members) {
       key(member.name);
       raw(member.json);
     }
-  }
-  /// Writes "name": [ one line for each entry ], or nothing when the range is empty.
-  template <class Range, class Write>
-  void list(std::string_view name, const Range& range, Write&& write) {
-    if (range.empty()) return;
-    key(name);
-    open('[');
-    for (const auto& entry : range) {
-      next();
-      write(entry);
-    }
-    close(']');
   }
 
  private:

@@ -18,6 +18,16 @@ void JsonReader::fail(const JsonCursor& at, const std::string& text) {
                       "Open an intact copy of the file, or repair that place in a text editor.");
 }
 
+void JsonReader::fail(const JsonCursor& at, Message message) {
+  message.text = at.path() + ": " + message.text;
+  fail(std::move(message));
+}
+
+void JsonReader::replace_error(const JsonCursor& at, const std::string& text) {
+  error_.reset();
+  fail(at, text);
+}
+
 double JsonReader::number(const JsonCursor& at) {
   if (const double* value = at.value().number()) return *value;
   fail(at, "a number was expected");

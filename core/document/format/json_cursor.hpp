@@ -41,6 +41,9 @@ class JsonCursor {
 /// check once at the end of a step; loops over arrays stop by themselves.
 class JsonReader {
  public:
+  /// Reads values of a text, from which the JSON of members can be taken.
+  explicit JsonReader(std::string_view text) : text_(text) {}
+
   /// Version of the document's format, which some members depend on; the newest unless set.
   int version() const { return version_; }
   void set_version(int version) { version_ = version; }
@@ -53,6 +56,10 @@ class JsonReader {
   }
   /// Reports E_SCHEMA with the text "objects[2].id: <text>."
   void fail(const JsonCursor& at, const std::string& text);
+  /// Reports the error of a value's check with the value's path.
+  void fail(const JsonCursor& at, Message message);
+  /// Reports E_SCHEMA even where there is an error already.
+  void replace_error(const JsonCursor& at, const std::string& text);
 
   double number(const JsonCursor& at);
   /// Integer in low .. high.
@@ -84,9 +91,15 @@ class JsonReader {
     if (!find(at, name)) fail(at, "the member \"" + std::string(name) + "\" is missing");
     if_member(at, name, body);
   }
+  /// Member of an object; nullptr where there is none.
+  const JsonMember* find(const JsonCursor& at, std::string_view name) const;
+  /// Text of a member's value, byte for byte.
+  std::string json_of(const JsonMember& member) const {
+    return std::string(text_.substr(member.begin, member.end - member.begin));
+  }
 
  private:
-  const JsonMember* find(const JsonCursor& at, std::string_view name) const;
+  std::string_view text_;
   std::optional<Message> error_;
   int version_ = std::numeric_limits<int>::max();
 };

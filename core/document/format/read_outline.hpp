@@ -1,10 +1,10 @@
 #pragma once
 
-// Reading outlines from JSON: as parts of documents, and as separate files.
+// Reading outlines from separate files.
 
 #include <string_view>
 
-#include "core/document/format/json_cursor.hpp"
+#include "core/base/result.hpp"
 #include "core/gaussmap/outlines/outline_settings.hpp"
 
 namespace hariko {
@@ -17,15 +17,5 @@ inline constexpr std::size_t max_outline_points = 20000;
 /// the Gaussian curvature, is optional. Errors: E_LIMIT, E_PARSE, E_SCHEMA. `check_outline` checks the
 /// geometry.
 Result<Outline> read_outline(std::string_view text);
-
-namespace detail {
-
-/// Reads the loops within an object that may have other members.
-Outline read_loops(JsonReader& reader, const JsonCursor& at);
-
-/// Reads the settings beside the loops; every member is optional.
-OutlineSettings read_outline_settings(JsonReader& reader, const JsonCursor& at);
-
-}  // namespace detail
 
 }  // namespace hariko

@@ -1,20 +1,12 @@
 #pragma once
 
-// Reading skins from JSON: the members of a document's source, and the plain layout for sections drawn in
-// other programs (points of sections and path as rows of numbers, links and merges by strip and indices).
+// Reading skins in the plain layout for sections drawn in other programs: points of sections and path as rows
+// of numbers, links and merges by strip and indices.
 
 #include <string_view>
 
-#include "core/document/format/json_cursor.hpp"
+#include "core/base/result.hpp"
 #include "core/skinning/skin.hpp"
-
-namespace hariko::detail {
-
-/// Reads the skin of an object; missing ids are numbered. Only types and sizes are checked here, everything
-/// else by `plan_skin`. A link or merge of the plain layout whose strip or point does not exist is E_INDEX.
-Skin read_skin(JsonReader& reader, const JsonCursor& at);
-
-}  // namespace hariko::detail
 
 namespace hariko {
 

@@ -66,6 +66,8 @@ class History {
   bool dirty() const { return saved_ != serial(); }
   /// Serial number of the current state: unique within this history, and restored by undo.
   std::uint64_t serial() const { return steps_[position_].serial; }
+  /// Serial number of any state, 0 .. `labels().size()`.
+  std::uint64_t serial_at(std::size_t position) const { return steps_[position].serial; }
   /// Serial number of the oldest state kept; serials rise along the list.
   std::uint64_t oldest_serial() const { return steps_.front().serial; }
 

@@ -26,6 +26,14 @@ std::size_t bytes_of(const Shaping& shaping) {
   return bytes;
 }
 
+std::size_t bytes_of(const Attachments& attachments) {
+  return block_overhead + attachments.size() * sizeof(std::pair<EdgeId, Attachment>);
+}
+
+std::size_t bytes_of(const std::string& text) {
+  return block_overhead + text.capacity();
+}
+
 std::size_t bytes_of(const PolygonMesh& mesh) {
   return block_overhead + sizeof(PolygonMesh) + mesh.positions.capacity() * sizeof(Vector3) +
          (mesh.face_offsets.capacity() + mesh.face_vertices.capacity()) * sizeof(Index);
@@ -108,40 +116,37 @@ std::size_t chunk_table_bytes(const Polyhedron& polyhedron) {
   return (polyhedron.vertex_count() / 128 + 1) * sizeof(std::shared_ptr<void>) + block_overhead;
 }
 
+/// Calls visit(address, bytes) for each block of a source that other values may share.
 template <class Visit>
-void visit_object(const Object& object, Visit&& visit) {
-  visit(object.kept.get(), bytes_of(*object.kept));
-  if (const auto* source = object.polyhedron()) {
-    visit(source->shaping.get(), bytes_of(*source->shaping));
-    visit(source->kept.get(), bytes_of(*source->kept));
-    visit(source->attachments.get(),
-          block_overhead + source->attachments->size() * sizeof(std::pair<EdgeId, Attachment>));
-    visit_polyhedron(source->polyhedron, visit);
-  } else if (const auto* patches = object.patches()) {
-    visit(patches->kept.get(), bytes_of(*patches->kept));
-    visit_polyhedron(patches->net, visit);
-  } else if (const auto* bezier = object.bezier()) {
-    visit(bezier->patches.get(), bytes_of(*bezier->patches));
-    visit(bezier->kept.get(), bytes_of(*bezier->kept));
-  } else if (const auto* mesh = object.mesh()) {
-    visit(mesh->mesh.get(), bytes_of(*mesh->mesh));
-    visit(mesh->kept.get(), bytes_of(*mesh->kept));
-  } else if (const auto* solids = object.solids()) {
-    visit(solids->input.get(), bytes_of(*solids->input));
-    visit(solids->kept.get(), bytes_of(*solids->kept));
-  } else if (const auto* skin = object.skin()) {
-    visit(skin->skin.get(), bytes_of(*skin->skin));
-    visit(skin->kept.get(), bytes_of(*skin->kept));
-  } else if (const auto* outline = object.outline()) {
-    visit(outline->outline.get(), bytes_of(*outline->outline));
-    visit(outline->kept.get(), bytes_of(*outline->kept));
-  } else if (const auto* picture = object.picture()) {
-    visit(picture->bytes.get(), block_overhead + picture->bytes->capacity());
-    visit(picture->kept.get(), bytes_of(*picture->kept));
-  } else {
-    const auto& unknown = std::get<UnknownSource>(object.source);
-    visit(unknown.json.get(), block_overhead + unknown.json->capacity());
+struct BlockVisitor {
+  const Visit& visit;
+
+  template <class... T>
+  void shared(const Shared<T>&... values) const {
+    (visit(values.get(), bytes_of(*values)), ...);
   }
+  void operator()(const PolyhedronSource& source) const {
+    shared(source.kept, source.shaping, source.attachments);
+    visit_polyhedron(source.polyhedron, visit);
+  }
+  void operator()(const MeshSource& source) const { shared(source.kept, source.mesh); }
+  void operator()(const PatchSource& source) const {
+    shared(source.kept);
+    visit_polyhedron(source.net, visit);
+  }
+  void operator()(const BezierSource& source) const { shared(source.kept, source.patches); }
+  void operator()(const SolidsSource& source) const { shared(source.kept, source.input); }
+  void operator()(const SkinSource& source) const { shared(source.kept, source.skin); }
+  void operator()(const OutlineSource& source) const { shared(source.kept, source.outline); }
+  void operator()(const PictureSource& source) const { shared(source.kept, source.bytes); }
+  void operator()(const UnknownSource& source) const { shared(source.json); }
+};
+
+template <class Visit>
+void visit_object(const Object& object, const Visit& visit) {
+  const BlockVisitor<Visit> blocks{visit};
+  blocks.shared(object.kept);
+  std::visit(blocks, object.source);
 }
 
 std::size_t own_bytes(const Object& object) {

@@ -183,16 +183,11 @@ void HermitePatchSet::evaluate_grid(std::span<const Index> patches, const GridPa
 
 void HermitePatchSet::evaluate_grid(std::span<const Index> patches, const GridPattern& pattern,
                                     std::span<Vector3> positions, std::span<Vector3> normals) const {
-  const Vector2 middle(0.5, 0.5);
   std::size_t at = 0;
   for_grid(patches_, patches, pattern, Order::first,
            [&](Index patch, const Vector2& parameter, const PatchPoint& point) {
              positions[at] = point.position;
-             normals[at] = unit_normal(point);
-             if (normals[at].isZero(0))
-               normals[at] =
-                   unit_normal(evaluate(patch, parameter + 1e-4 * (middle - parameter), Order::first));
-             ++at;
+             normals[at++] = normal_at(patch, parameter, point);
            });
 }
 

@@ -113,6 +113,7 @@ class GltfReader {
   std::vector<double> weights_of(const Json& node, const Json& mesh, const std::string& place);
   PolygonMesh read_mesh(const Json& mesh, const std::string& place, const std::vector<double>& weights,
                         const GltfSkin* skin);
+  bool has_rows(const Json& primitive, std::uint64_t position, const std::string& place);
   bool add_primitive(const Json& primitive, const std::string& place, const std::vector<double>& weights,
                      const GltfSkin* skin, PointWelder& welder, PolygonMesh& mesh);
   bool add_shape_keys(const Json& primitive, const std::string& place, const std::vector<double>& weights,
@@ -332,6 +333,21 @@ PolygonMesh GltfReader::read_mesh(const Json& mesh, const std::string& place,
   return out;
 }
 
+/// Whether the positions of a primitive have rows of numbers of their own, and not only in a compression.
+bool GltfReader::has_rows(const Json& primitive, std::uint64_t position, const std::string& place) {
+  const Json* points = fields_.entry(root_, "accessors", position);
+  if (!points) return false;
+  const Json* extensions = find(primitive, "extensions");
+  if (!extensions || find(*points, "bufferView") || find(*points, "sparse")) return true;
+  for (const char* name : compressions)
+    if (find(*extensions, name))
+      return fields_.fail(make_error(
+          e_format_unknown,
+          place + ": Its triangles are compressed by the extension " + quote(name) + ", which is not read.",
+          "Export the model without compression."));
+  return true;
+}
+
 bool GltfReader::add_primitive(const Json& primitive, const std::string& place,
                                const std::vector<double>& weights, const GltfSkin* skin, PointWelder& welder,
                                PolygonMesh& mesh) {
@@ -344,6 +360,7 @@ bool GltfReader::add_primitive(const Json& primitive, const std::string& place,
     ++left_out_;
     return true;
   }
+  if (!has_rows(primitive, *position, place)) return false;
   const GltfAccessor points = buffers_->accessor(*position, "VEC3");
   std::optional<GltfAccessor> corners;
   if (const auto indices = fields_.whole(primitive, "indices", place)) {

@@ -123,7 +123,10 @@ std::vector<ImportedPart> ObjParts::split(PolygonMesh mesh, std::vector<std::arr
   for (std::size_t f = 0; f < part_of_face.size(); ++f) faces[part_of_face[f]].push_back(f);
   std::vector<ImportedPart> out;
   if (faces.size() == 1 || faces.size() > ImportedScene::max_parts) {
-    out.push_back({std::move(mesh), first_name(), std::move(creases), std::move(corners)});
+    // Objects before the only one with faces may be cameras, lights or points.
+    const std::string own = faces.size() == 1 ? names[faces.begin()->first] : std::string();
+    out.push_back(
+        {std::move(mesh), own.empty() ? first_name() : own, std::move(creases), std::move(corners)});
     return out;
   }
   PartMaker maker(mesh);

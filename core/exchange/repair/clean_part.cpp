@@ -61,6 +61,41 @@ void remove_left_over(const std::vector<char>& used_before, ImportedPart& part) 
   take(std::move(out), part);
 }
 
+/// Whether every corner has a vertex of its own: no two faces hang together.
+bool is_loose(const PolygonMesh& mesh) {
+  if (mesh.face_count() < 2) return false;
+  std::vector<char> used(mesh.positions.size(), 0);
+  for (const Index v : mesh.face_vertices)
+    if (v >= used.size() || std::exchange(used[v], 1)) return false;
+  return true;
+}
+
+double mean_edge_length(const PolygonMesh& mesh) {
+  double sum = 0;
+  for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+    const auto face = mesh.face(f);
+    for (std::size_t k = 0; k < face.size(); ++k)
+      sum += (mesh.positions[face[(k + 1) % face.size()]] - mesh.positions[face[k]]).norm();
+  }
+  return mesh.face_vertices.empty() ? 0 : sum / double(mesh.face_vertices.size());
+}
+
+/// Counts the corners that are near others and are not joined. Where all faces are loose the mesh is no
+/// surface as it is, and corners farther apart count too, but by no more than a tenth of the edges.
+void count_near(const PolygonMesh& mesh, double tolerance, CleanReport& report) {
+  NearCorners near = near_corners(mesh, tolerance);
+  if (is_loose(mesh)) {
+    const double distance = std::min(loose_joining_distance * used_size(mesh), 0.1 * mean_edge_length(mesh));
+    const NearCorners farther = near_corners(mesh, std::max(distance, tolerance));
+    if (farther.count > near.count) {
+      near = farther;
+      report.tolerance = std::max(report.tolerance, (1 + 1e-6) * near.farthest);  // reaches as far
+    }
+  }
+  report.near += near.count;
+  report.near_farthest = std::max(report.near_farthest, near.farthest);
+}
+
 }  // namespace
 
 void clean(ImportedPart& part, const JoinChoice& choice, CleanReport& report) {
@@ -84,12 +119,10 @@ void clean(ImportedPart& part, const JoinChoice& choice, CleanReport& report) {
     return count;
   };
   join(0);
-  if (choice.near) {
+  if (choice.near)
     report.near_joined += join(tolerance);
-  } else if (const NearCorners near = near_corners(part.mesh, tolerance); near.count > 0) {
-    report.near += near.count;
-    report.near_farthest = std::max(report.near_farthest, near.farthest);
-  }
+  else
+    count_near(part.mesh, tolerance, report);
   TidyMesh flat = drop_flat_triangles(part.mesh);
   report.flat += flat.flat;
   take(std::move(flat), part);

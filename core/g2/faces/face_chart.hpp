@@ -55,8 +55,8 @@ class FaceChart {
   double cosine(int corner) const { return cosine_[static_cast<std::size_t>(corner)]; }
   double sine(int corner) const { return sine_[static_cast<std::size_t>(corner)]; }
   bool straight(int corner) const { return straight_[static_cast<std::size_t>(corner)]; }
-  const Vector2& vertex(int corner) const { return vertices_[static_cast<std::size_t>(corner)]; }
   const std::vector<Vector2>& vertices() const { return vertices_; }
+  const Vector2& vertex(int corner) const { return vertices_[static_cast<std::size_t>(corner)]; }
   double radius() const { return radius_; }    ///< Largest distance of a vertex from the centre.
   double apothem() const { return apothem_; }  ///< Mean distance of the sides from the centre, by length.
   double area() const { return area_; }

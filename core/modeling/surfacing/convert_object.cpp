@@ -29,6 +29,7 @@ Result<Document> convert_outline(const Document& document, ObjectId id, const Ca
     if (!made) return made.error();
     object.source = std::move(made).value();
     object.display.polyhedron = true;
+    object.display.points = false;  // a hundred and more, close to each other
     return Done{};
   });
 }

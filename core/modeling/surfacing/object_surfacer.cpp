@@ -270,11 +270,12 @@ Result<ObjectSurfacer::Adapted> ObjectSurfacer::Call::adapted(const Object& patc
 ObjectSurfacer::ObjectSurfacer() = default;
 ObjectSurfacer::~ObjectSurfacer() = default;
 
-Result<PolyhedronSurface> ObjectSurfacer::surface(const Object& object, const ObjectPointers& neighbours,
-                                                  Quality quality, const CancelToken& cancel) {
+Result<ObjectSurface> ObjectSurfacer::surface(const Object& object, const ObjectPointers& neighbours,
+                                              Quality quality, const CancelToken& cancel) {
   if (const BezierSource* bezier = object.bezier()) {
     auto welded = weld_patches(bezier->origin, *bezier->patches);
-    return welded ? whole(std::move(welded).value(), {}) : Result<PolyhedronSurface>(welded.error());
+    if (!welded) return welded.error();
+    return whole(std::move(welded).value());
   }
   if (const SolidsSource* solids = object.solids()) return around(*solids, quality, cancel);
   if (const SkinSource* skin = object.skin()) return over(*skin, quality, cancel);
@@ -283,36 +284,38 @@ Result<PolyhedronSurface> ObjectSurfacer::surface(const Object& object, const Ob
   if (object.patches()) {
     auto net = call.adapted(object);
     if (!net) return net.error();
-    PolyhedronSurface out;
-    out.surface = bicubic_surface(object.patches()->origin, std::move(net->net));
-    out.warnings = std::move(net->warnings);
-    out.revision = out.base_revision = ++patch_revision_;
-    return out;
+    return whole(bicubic_surface(object.patches()->origin, std::move(net->net)), std::move(net->warnings));
   }
   auto input = call.input(object, quality, cache_);
   if (!input) return input.error();
-  return surfacer_.rebuild(*input, quality, cancel);
+  return over(*input, quality, cancel);
 }
 
-PolyhedronSurface ObjectSurfacer::whole(Surface surface, std::vector<Message> warnings) {
-  PolyhedronSurface out;
-  out.surface = std::move(surface);
-  out.warnings = std::move(warnings);
-  out.revision = out.base_revision = ++patch_revision_;
-  return out;
+ObjectSurface ObjectSurfacer::whole(Surface surface, std::vector<Message> warnings) {
+  ++revision_;
+  return {std::move(surface), std::move(warnings), {}, revision_, revision_, {}};
 }
 
-Result<PolyhedronSurface> ObjectSurfacer::around(const SolidsSource& source, Quality quality,
-                                                 const CancelToken& cancel) {
+Result<ObjectSurface> ObjectSurfacer::over(const PolyhedronSurfaceInput& input, Quality quality,
+                                           const CancelToken& cancel) {
+  auto rebuilt = surfacer_.rebuild(input, quality, cancel);
+  if (!rebuilt) return rebuilt.error();
+  PolyhedronSurface& made = rebuilt.value();
+  return ObjectSurface{std::move(made.surface), std::move(made.warnings), made.report,
+                       made.revision,           made.base_revision,       std::move(made.changed)};
+}
+
+Result<ObjectSurface> ObjectSurfacer::around(const SolidsSource& source, Quality quality,
+                                             const CancelToken& cancel) {
   auto made = enveloper_.rebuild(*source.input, quality, cancel);
   if (!made) return made.error();
-  PolyhedronSurface out = whole(std::move(made->surface), std::move(made->warnings));
-  out.sticks_out = made->sticks_out;
+  ObjectSurface out = whole(made->surface, made->warnings);
+  out.details = std::make_shared<const EnvelopeSurface>(std::move(made).value());
   return out;
 }
 
-Result<PolyhedronSurface> ObjectSurfacer::over(const SkinSource& source, Quality quality,
-                                               const CancelToken& cancel) {
+Result<ObjectSurface> ObjectSurfacer::over(const SkinSource& source, Quality quality,
+                                           const CancelToken& cancel) {
   const LocalSkin local = local_skin(*source.skin);
   progress_.report(1);  // complete unless slow work begins
   SkinWork work;
@@ -324,8 +327,8 @@ Result<PolyhedronSurface> ObjectSurfacer::over(const SkinSource& source, Quality
   return whole(std::move(made->surface), std::move(made->result.warnings));
 }
 
-Result<PolyhedronSurface> ObjectSurfacer::inside(const OutlineSource& source, Quality quality,
-                                                 const CancelToken& cancel) {
+Result<ObjectSurface> ObjectSurfacer::inside(const OutlineSource& source, Quality quality,
+                                             const CancelToken& cancel) {
   const auto points = control_points(*source.outline, gauss_options(source.settings), cancel);
   if (!points) return points.error();
   const auto made = outline_polyhedron(*points);
@@ -333,15 +336,16 @@ Result<PolyhedronSurface> ObjectSurfacer::inside(const OutlineSource& source, Qu
   const PolyhedronSurfaceInput input{made->polyhedron, made->shaping,
                                      source.settings.curvature_continuous ? Mode::g2 : Mode::fair,
                                      made->origin};
-  auto out = surfacer_.rebuild(input, quality, cancel);
-  if (!out) return out;
-  PolyhedronSurface surface = std::move(out).value();
-  surface.warnings.insert(surface.warnings.begin(), points->messages.begin(), points->messages.end());
-  return surface;
+  auto out = over(input, quality, cancel);
+  if (out.ok()) {
+    std::vector<Message>& warnings = out.value().warnings;
+    warnings.insert(warnings.begin(), points->messages.begin(), points->messages.end());
+  }
+  return out;
 }
 
-Result<PolyhedronSurface> object_surface(const Document& document, const Object& object,
-                                         const CancelToken& cancel) {
+Result<ObjectSurface> object_surface(const Document& document, const Object& object,
+                                     const CancelToken& cancel) {
   return ObjectSurfacer().surface(object, neighbours_of(document, object.id), Quality::final, cancel);
 }
 

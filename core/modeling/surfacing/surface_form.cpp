@@ -450,10 +450,11 @@ Result<PolyhedronSource> SurfaceForm::keep(PolyhedronSource after, const Refined
   return after;
 }
 
-std::optional<SurfaceForm> form_to_keep(const PolyhedronSource& source) {
-  if (frames_in(source.mode, source.frames) != Frames::metric) return std::nullopt;
+Result<std::optional<SurfaceForm>> form_to_keep(const PolyhedronSource& source) {
+  if (frames_in(source.mode, source.frames) != Frames::metric) return std::optional<SurfaceForm>();
   auto form = SurfaceForm::of(source);
-  return form ? std::optional(std::move(form).value()) : std::nullopt;
+  if (!form) return form.error();
+  return std::optional(std::move(form).value());
 }
 
 Result<EditResult> finish_refined(MeshEditor&& draft, ElementSet selection, const SurfaceForm* on) {

@@ -102,8 +102,8 @@ class SurfaceForm {
 };
 
 /// Returns the form that a refinement of `source` keeps. Nothing with equal frames, whose surfaces do not
-/// depend on lengths, and where the polyhedron has no surface yet.
-std::optional<SurfaceForm> form_to_keep(const PolyhedronSource& source);
+/// depend on lengths. Errors: those of `SurfaceForm::of`; a refinement without a form is then still possible.
+Result<std::optional<SurfaceForm>> form_to_keep(const PolyhedronSource& source);
 
 /// Finishes a refinement: new vertices lie on the surface where `on` is given, else on straight edges and
 /// flat faces. Errors: those of `MeshEditor::finish` and `SurfaceForm::keep`.

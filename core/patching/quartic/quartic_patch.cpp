@@ -1,5 +1,6 @@
 #include "core/patching/quartic/quartic_patch.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/base/assert.hpp"
@@ -58,16 +59,6 @@ QuarticGridTable quartic_point_table(std::span<const Vector2> parameters) {
   return table;
 }
 
-namespace {
-
-/// Normal where the derivatives are parallel: taken slightly further inside.
-Vector3 inner_normal(const QuarticPatch& patch, const Vector2& parameter) {
-  const Vector2 centre(1.0 / 3, 1.0 / 3);
-  return unit_normal(evaluate_patch(patch, parameter + 1e-4 * (centre - parameter), Order::first));
-}
-
-}  // namespace
-
 Vector3 evaluate_side(const QuarticPatch& patch, int side, double x, double one_minus_x) {
   const auto& index = side_controls[static_cast<std::size_t>(side)];
   const auto control = [&](std::size_t i) -> const Vector3& { return patch.control[index[i]]; };
@@ -114,6 +105,14 @@ std::shared_ptr<const QuarticGridTable> QuarticTables::table(int density) const 
 QuarticPatchSet::QuarticPatchSet(QuarticPatchArray patches, std::shared_ptr<const QuarticTables> tables)
     : patches_(std::move(patches)), tables_(std::move(tables)) {}
 
+ExactForm QuarticPatchSet::exact_form(Index patch) const {
+  const auto& control = patches_[patch].control;
+  PairedQuartic out{control, 0};
+  for (const std::size_t k : {quartic::d211w, quartic::d121w, quartic::d112v})
+    out.pair_distance = std::max(out.pair_distance, (control[k] - control[k + 1]).norm());
+  return out;
+}
+
 PatchPoint QuarticPatchSet::evaluate(Index patch, const Vector2& parameter, Order order) const {
   return evaluate_patch(patches_[patch], parameter, order);
 }
@@ -141,7 +140,7 @@ void QuarticPatchSet::evaluate_grid(std::span<const Index> patches, const GridPa
     if (!degenerate) continue;
     if (parameters.empty()) parameters = pattern.parameters();
     for (std::size_t i = 0; i < points; ++i)
-      if (normal[i].isZero(0)) normal[i] = inner_normal(patch, parameters[i]);
+      if (normal[i].isZero(0)) normal[i] = inner_normal(patches[k], parameters[i]);
   }
 }
 

@@ -10,7 +10,7 @@
 
 #include "core/base/chunked_array.hpp"
 #include "core/patching/quartic/quartic_basis.hpp"
-#include "core/surface/facet_evaluation.hpp"
+#include "core/surface/patch.hpp"
 
 namespace hariko {
 
@@ -44,7 +44,7 @@ class QuarticTables {
 using QuarticPatchArray = ChunkedArray<QuarticPatch, 4>;
 
 /// Extended quartic triangles that share grid tables.
-class QuarticPatchSet final : public PatchSet, public FacetEvaluation {
+class QuarticPatchSet final : public PatchSet {
  public:
   QuarticPatchSet(QuarticPatchArray patches, std::shared_ptr<const QuarticTables> tables);
 
@@ -72,6 +72,7 @@ class QuarticPatchSet final : public PatchSet, public FacetEvaluation {
   /// blend of two control points.
   void hull(Index patch, const ParameterTriangle& triangle, std::span<const Vector3> samples,
             std::span<HullBall> out) const override;
+  ExactForm exact_form(Index patch) const override;
 
  private:
   QuarticPatchArray patches_;

@@ -111,12 +111,44 @@ class Collector {
     const auto byte = [](double x) { return std::uint8_t(std::lround(255 * std::clamp(x, 0.0, 1.0))); };
     return std::array{byte(r), byte(g), byte(b)};
   }
-  /// Colour of the first solid, else of the first shell, else of the first face, if it has one.
+  /// Colour of the shape, else of its first solid, of its first shell, or of its first face, if one has any.
   CadColour inner_colour(const TopoDS_Shape& shape) const {
+    if (const CadColour own = colour_of(shape)) return own;
     for (const TopAbs_ShapeEnum kind : {TopAbs_SOLID, TopAbs_SHELL, TopAbs_FACE})
       if (TopExp_Explorer at(shape, kind); at.More())
         if (const CadColour colour = colour_of(at.Current())) return colour;
     return {};
+  }
+  /// Parts of a shape without a colour of its own, by the colours of its solids, in the order in which these
+  /// appear; what is in no solid is a part, too. One part where all have one colour.
+  std::vector<std::pair<TopoDS_Shape, CadColour>> parts_by_colour(const TopoDS_Shape& shape) const {
+    std::vector<std::pair<CadColour, std::vector<TopoDS_Shape>>> groups;
+    const auto add_to_group = [&](const TopoDS_Shape& part, const CadColour& colour) {
+      const auto known = std::find_if(groups.begin(), groups.end(),
+                                      [&](const auto& group) { return group.first == colour; });
+      if (known != groups.end()) return known->second.push_back(part);
+      groups.push_back({colour, {part}});
+    };
+    for (TopExp_Explorer solid(shape, TopAbs_SOLID); solid.More(); solid.Next())
+      add_to_group(solid.Current(), inner_colour(solid.Current()));
+    if (groups.size() < 2) return {{shape, inner_colour(shape)}};
+    std::vector<std::pair<TopoDS_Shape, CadColour>> out;
+    for (const auto& [colour, shapes] : groups) out.emplace_back(together(shapes), colour);
+    std::vector<TopoDS_Shape> rest;
+    for (TopExp_Explorer shell(shape, TopAbs_SHELL, TopAbs_SOLID); shell.More(); shell.Next())
+      rest.push_back(shell.Current());
+    for (TopExp_Explorer face(shape, TopAbs_FACE, TopAbs_SHELL); face.More(); face.Next())
+      rest.push_back(face.Current());
+    if (!rest.empty()) out.emplace_back(together(rest), inner_colour(rest.front()));
+    return out;
+  }
+  static TopoDS_Shape together(const std::vector<TopoDS_Shape>& shapes) {
+    if (shapes.size() == 1) return shapes.front();
+    TopoDS_Compound out;
+    BRep_Builder builder;
+    builder.MakeCompound(out);
+    for (const TopoDS_Shape& shape : shapes) builder.Add(out, shape);
+    return out;
   }
 
   /// Whether the name of a component's usage is meaningful: often it is empty, a number, or the STEP entity
@@ -153,7 +185,16 @@ class Collector {
     }
     const TopoDS_Shape shape = XCAFDoc_ShapeTool::GetShape(label);
     if (shape.IsNull()) return;
-    leaves_.push_back({shape.Moved(place), name, colour ? colour : inner_colour(shape)});
+    if (colour) {
+      leaves_.push_back({shape.Moved(place), name, colour});
+      return;
+    }
+    const auto parts = parts_by_colour(shape);
+    if (leaves_.size() + parts.size() > max_cad_parts) {
+      too_many_ = true;
+      return;
+    }
+    for (const auto& [part, own] : parts) leaves_.push_back({part.Moved(place), name, own});
   }
 
   Handle(XCAFDoc_ShapeTool) shapes_;

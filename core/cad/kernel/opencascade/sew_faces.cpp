@@ -6,12 +6,16 @@
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <Bnd_Box.hxx>
+#include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Compound.hxx>
 #include <TopoDS_Shell.hxx>
 #include <TopoDS_Solid.hxx>
+#include <algorithm>
 #include <cmath>
+#include <functional>
 #include <optional>
 #include <string_view>
 #include <utility>
@@ -48,6 +52,8 @@ TopoDS_Shape body_of(const TopoDS_Shape& shape) {
 struct Sewn {
   std::vector<TopoDS_Shape> bodies;  ///< bodies of several faces
   std::vector<TopoDS_Shape> alone;   ///< faces that meet no other
+  /// Face that a given one has become, or itself.
+  std::function<TopoDS_Shape(const TopoDS_Shape&)> made_of;
 };
 
 /// Sews a shape; nothing where it has no size to derive the tolerance from, or where the kernel fails.
@@ -55,12 +61,14 @@ std::optional<Sewn> sew(const TopoDS_Shape& shape) {
   Bnd_Box box;
   BRepBndLib::Add(shape, box, false);
   if (box.IsVoid() || box.IsOpen() || !(box.SquareExtent() > 0)) return {};
-  BRepBuilderAPI_Sewing sewing(sewing_tolerance * std::sqrt(box.SquareExtent()));
-  sewing.Add(shape);
-  sewing.Perform();
-  const TopoDS_Shape& done = sewing.SewedShape();
+  const Handle(BRepBuilderAPI_Sewing) sewing =
+      new BRepBuilderAPI_Sewing(sewing_tolerance * std::sqrt(box.SquareExtent()));
+  sewing->Add(shape);
+  sewing->Perform();
+  const TopoDS_Shape& done = sewing->SewedShape();
   if (done.IsNull() || count(done, TopAbs_FACE) < count(shape, TopAbs_FACE)) return {};
   Sewn out;
+  out.made_of = [sewing](const TopoDS_Shape& face) { return sewing->ModifiedSubShape(face); };
   for (TopExp_Explorer shell(done, TopAbs_SHELL); shell.More(); shell.Next())
     (count(shell.Current(), TopAbs_FACE) > 1 ? out.bodies : out.alone).push_back(body_of(shell.Current()));
   for (TopExp_Explorer face(done, TopAbs_FACE, TopAbs_SHELL); face.More(); face.Next())
@@ -93,7 +101,7 @@ class LooseFaces {
  public:
   void add(const CadLeaf& leaf) {
     shapes_.push_back(leaf.shape);
-    if (!colour_) colour_ = leaf.colour;
+    colours_.push_back(leaf.colour);
     const std::string_view own = stem(leaf.name);
     if (shapes_.size() == 1) name_ = leaf.name;
     if (name_ == leaf.name) return;
@@ -105,16 +113,33 @@ class LooseFaces {
     std::vector<CadLeaf> out;
     if (shapes_.empty()) return out;
     const auto made = sew(compound_of(shapes_));
-    if (!made) return {{compound_of(shapes_), name_, colour_}};
-    for (const TopoDS_Shape& body : made->bodies) out.push_back({body, name_, colour_});
-    if (!made->alone.empty()) out.push_back({compound_of(made->alone), name_, colour_});
+    if (!made) {
+      const auto coloured = std::find_if(colours_.begin(), colours_.end(), [](const auto& c) { return c; });
+      return {{compound_of(shapes_), name_, coloured == colours_.end() ? CadColour() : *coloured}};
+    }
+    for (const TopoDS_Shape& body : made->bodies) out.push_back({body, name_, colour_of(body, *made)});
+    if (made->alone.empty()) return out;
+    const TopoDS_Compound rest = compound_of(made->alone);
+    out.push_back({rest, name_, colour_of(rest, *made)});
     return out;
   }
 
  private:
+  /// Colour of the first of the given faces that the shape consists of and that has one.
+  CadColour colour_of(const TopoDS_Shape& shape, const Sewn& made) const {
+    TopTools_IndexedMapOfShape faces;
+    TopExp::MapShapes(shape, TopAbs_FACE, faces);
+    for (std::size_t i = 0; i < shapes_.size(); ++i) {
+      if (!colours_[i]) continue;
+      TopExp_Explorer face(shapes_[i], TopAbs_FACE);
+      if (face.More() && faces.Contains(made.made_of(face.Current()))) return colours_[i];
+    }
+    return {};
+  }
+
   std::vector<TopoDS_Shape> shapes_;
+  std::vector<CadColour> colours_;  ///< of the shapes
   std::string name_;
-  CadColour colour_;
 };
 
 }  // namespace

@@ -25,9 +25,9 @@ struct CadLeaf {
 inline constexpr double sewing_tolerance = 5e-5;
 
 /// Leaves with faces and shells that lie edge to edge sewn along them; closed shells become solids that look
-/// outward. `loose`: also sews faces that are leaves of their own, as in IGES: sewn faces become one leaf,
-/// with their common name up to a number, and all faces that remain single become another. Leaves keep their
-/// order.
+/// outward. `loose`: also sews faces that are leaves of their own, as in IGES: sewn faces become a leaf
+/// for each body, with their common name up to a number, and all faces that remain single become another. A
+/// leaf has the colour of the first of its own faces that has one. Leaves keep their order.
 std::vector<CadLeaf> sewn(std::vector<CadLeaf> leaves, bool loose);
 
 }  // namespace hariko
