@@ -151,7 +151,7 @@ class Bench {
             middle.y + up * std::sin(static_cast<float>(step) / 11)};
   }
 
-  /// What the application does in a frame, in the same order.
+  /// Steps of the application's frame, in the same order.
   void frame() {
     const auto start = Clock::now();
     editor_.now = milliseconds(start - zero_) / 1000;

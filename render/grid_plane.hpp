@@ -22,7 +22,7 @@ struct SidePlane {
 /// see the ground.
 std::optional<SidePlane> side_plane(const Camera& camera);
 
-/// Where the grid of a view lies.
+/// Place of a view's grid.
 struct GridPlace {
   Vector3 centre = Vector3::Zero();    ///< of the drawn part: a crossing of coarse lines near the target
   Matrix3 axes = Matrix3::Identity();  ///< columns: across, up, normal

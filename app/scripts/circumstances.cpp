@@ -72,7 +72,7 @@ std::vector<WrittenCommand> steps_to_select_elements(const Document& document, c
     return out;
   }
   out.push_back({mode, {written("object", active->name)}});
-  // That is refused where nothing is selected.
+  // The command is refused where nothing is selected.
   if (!add && !from.selection.no_elements()) out.push_back({"select.none"});
   return out;
 }

@@ -35,7 +35,7 @@ struct Circle {
   int count;
   SampledCurve curve;
 
-  /// How far a place may be off, of the radius: of third order in the distance of the points.
+  /// Largest error of a place, of the radius: of third order in the distance of the points.
   double tolerance() const { return 0.6 * std::pow(2 * std::numbers::pi / count, 3); }
   Vector3 at(double x, double y) const { return centre + axes * Vector3(x, y, 0); }
 };

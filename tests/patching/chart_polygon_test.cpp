@@ -97,7 +97,23 @@ TEST(ChartPolygon, IsConvexAroundItsCentreWhateverTheFace) {
   });
 }
 
-/// Which corner comes first turns the polygon and nothing else.
+/// A corner that begins to turn takes its neighbours with it without a jump, also where it becomes one of
+/// those that straighter ones lie between.
+TEST(ChartPolygon, IsContinuousInTheTurnsOfVertices) {
+  const std::vector<Vector2> face{{-1, -1}, {-0.4, -1.1}, {0.3, -1.15}, {1, -1}, {1, 1}, {-1, 1}};
+  std::vector<CornerShape> corners = corners_of(face);
+  std::vector<Vector2> before;
+  constexpr double step = 1e-4;
+  for (double turn = 0; turn < 0.7; turn += step) {
+    corners[1].angle = std::numbers::pi - turn;
+    corners[2].angle = std::numbers::pi - 0.05;
+    const std::vector<Vector2> out = chart_polygon(face, corners);
+    for (std::size_t j = 0; j < before.size(); ++j) EXPECT_LT((out[j] - before[j]).norm(), 20 * step) << turn;
+    before = out;
+  }
+}
+
+/// The choice of the first corner turns the polygon and nothing else.
 TEST(ChartPolygon, DoesNotDependOnTheFirstCorner) {
   const std::vector<Vector2> face{{-3, -1}, {-1, -1.2}, {2, -1}, {3, 1}, {-2, 2}};
   const std::vector<CornerShape> corners = corners_of(face);

@@ -14,7 +14,7 @@ enum class ThemeId { dark, light };
 /// Which buttons and modifiers move the view, by the products whose users know them.
 enum class NavigationPreset { hariko, blender, maya, rhino, trackpad };
 
-/// What a drawing or a drag jumps to while it snaps.
+/// Kinds of targets that drawings and drags jump to while they snap.
 struct SnapSettings {
   bool vertices = true, midpoints = true, centres = false, crossings = false;
   bool perpendicular = false, tangent = false;  ///< from where the gesture began

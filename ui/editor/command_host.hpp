@@ -69,7 +69,7 @@ void add_outline_commands(CommandHost& host);
 void add_recompute_commands(CommandHost& host);
 void add_paper_commands(CommandHost& host);
 void add_view_commands(CommandHost& host);
-/// What drawings and drags snap to, and the plane in which they draw.
+/// Adds the commands of snapping, and of the plane in which tools draw.
 void add_snap_commands(CommandHost& host);
 void add_plane_commands(CommandHost& host);
 void add_analyse_commands(CommandHost& host);

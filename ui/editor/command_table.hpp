@@ -39,7 +39,7 @@ struct ScriptUse {
   std::function<void(const Arguments&)> run = {};
   /// Surfaces are made first: `why_not` or `run` looks at them.
   bool looks_at_surfaces = false;
-  /// Of properties: arguments that give the chosen objects what this one has; nothing where it has no such
+  /// Arguments that give the chosen objects a property as this one has it; nothing where it has no such
   /// property. For recording.
   std::function<std::vector<WrittenArgument>(const Object&)> read = {};
 };

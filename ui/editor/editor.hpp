@@ -100,7 +100,7 @@ struct LastClick {
   std::size_t index = 0;  ///< among the elements there, nearest first
 };
 
-/// What a script that is being recorded has so far.
+/// State of a script that is being recorded.
 struct ScriptProgress {
   std::size_t steps = 0;
   std::size_t left_out = 0;  ///< edits without a command
@@ -185,7 +185,7 @@ class Editor {
   /// Says how a script makes the step that has just been made: by tools and fields, which have no command
   /// or whose command needs the pointer.
   void tell_script(std::vector<WrittenCommand> steps);
-  /// What was said of the step that led to the present state; empty where nothing was.
+  /// Commands that express the step to the present state; empty where none were given.
   std::span<const WrittenCommand> told_script() const;
 
   void notify(Notice::Kind kind, std::string text, std::string remedy = {});

@@ -17,10 +17,10 @@ struct MeasurePlace {
   SnapTarget::Kind as = SnapTarget::Kind::grid;  ///< of a caught place
 };
 
-/// What holds a place, for its mark and its name; nothing for a point of space.
+/// Target that a place lies on, for its mark and its name; nothing for a point of space.
 std::optional<SnapTarget> target_of(const MeasurePlace& place);
 
-/// How the pointer looks for a place.
+/// Settings of the pointer's search for a place.
 struct MeasureAim {
   Vector2 pixel = Vector2::Zero();
   bool middles = false;  ///< Ctrl: middles of edges instead of vertices, and the grid of the working plane

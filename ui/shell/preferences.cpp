@@ -19,7 +19,7 @@ namespace {
 constexpr float label_column = 190, narrow_column = 8, least_field = 170, pages_width = 150;
 constexpr std::array scales{0.75F, 1.0F, 1.25F, 1.5F, 1.75F, 2.0F, 2.5F};
 
-/// Where fields begin: right of their names, or below them where a page is narrow.
+/// Left edge of fields: right of their names, or below them where a page is narrow.
 float column_of_fields(const PanelContext& context) {
   const float beside = context.metrics.px(label_column), least = context.metrics.px(least_field);
   return ImGui::GetWindowContentRegionMax().x >= beside + least ? beside : context.metrics.px(narrow_column);

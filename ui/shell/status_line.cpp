@@ -98,7 +98,7 @@ void draw_recording(PanelContext& context, float& right) {
   if (draw_work(context, row, right)) context.run("help.stop_recording");
 }
 
-/// That commands are written as a script: how many, and how many edits have none.
+/// Mark of a script that is being recorded: the number of its steps, and of edits that have none.
 void draw_script_recording(PanelContext& context, float& right) {
   const auto& progress = context.editor.script_recording;
   if (!progress) return;

@@ -41,7 +41,7 @@ class CurveSketch {
   Matrix3 axes() const { return plane_.axes ? *plane_.axes : upright_axes(plane_.normal); }
   /// Takes up what can be caught. Call with every event before anything is placed.
   void look_for_places(const ToolContext& context) { catcher_.update(context); }
-  /// What is under a pixel and would be caught.
+  /// Target under a pixel that would be caught.
   std::optional<SnapTarget> caught(const ToolContext& context, const Vector2& pixel) const;
   /// The point of the plane under a pixel; nothing near its horizon. With `snaps` the foot of what is caught
   /// there, else on the grid; without, on an axis through the plane's point where it is near to it.

@@ -21,13 +21,13 @@ class SnapCatcher {
   std::optional<SnapTarget> find(const ToolContext& context, const Vector2& pixel,
                                  const std::optional<Vector3>& from, const Vector3& normal) const;
 
-  /// What was collected; null before the first update.
+  /// Collected places; null before the first update.
   const SnapPlaces* places() const { return places_.get(); }
 
  private:
   std::shared_ptr<const SnapPlaces> places_;
   SnapSettings kinds_;
-  // What the places were collected of.
+  // Document and settings that the places were collected from.
   std::uint64_t document_ = 0, serial_ = 0;
   std::vector<std::shared_ptr<const DisplayMesh>> meshes_;
 };

@@ -21,7 +21,7 @@ struct SnapTarget {
   std::optional<ObjectId> object = std::nullopt;
 };
 
-/// What was caught, in English: "Vertex", "Intersection".
+/// Name of a kind of target, in English: "Vertex", "Intersection".
 const char* snap_name(SnapTarget::Kind kind);
 
 /// Design pixels round the pointer within which a place attracts.
@@ -30,7 +30,7 @@ inline constexpr double snap_radius = 14;
 /// Whether a gesture snaps: while Ctrl is held, or while it is not, as the settings say.
 bool snaps_now(const Editor& editor, bool control);
 
-/// What is looked for, and by whom.
+/// Search for a target: its kinds, and the gesture that asks.
 struct SnapGesture {
   SnapSettings kinds;
   std::optional<Vector3> from = std::nullopt;  ///< where it began; without it nothing is perpendicular
@@ -118,8 +118,8 @@ DecimalStep grid_step(const ToolContext& context, const Vector3& at);
 /// The point of a plane's grid next to one of its points.
 Vector3 on_grid(const ToolContext& context, const PlaneFrame& plane, const Vector3& point);
 
-/// Where a ray of the eye meets a plane, on the steps of its grid when it snaps to that; nothing near the
-/// horizon, where places run away from the pointer, and behind the eye.
+/// Point where a ray of the eye meets a plane, on the steps of its grid when it snaps to that; nothing near
+/// the horizon, where places run away from the pointer, and behind the eye.
 std::optional<Vector3> point_on_plane(const ToolContext& context, const PlaneFrame& plane, const Ray& ray,
                                       bool snaps);
 

@@ -10,7 +10,7 @@ namespace hariko {
 /// What a view shows, for its title: "Top", "Perspective".
 const char* title_of(const Camera& camera);
 
-/// Where the title stands.
+/// Place of the title.
 PanelRect view_title_place(const PanelContext& context, int view, const PanelRect& pane);
 /// The clickable title in the upper left corner; call before items that lie under it. A click opens the
 /// view's menu, a double click maximises the view or shows all again. Gives true where the pointer is on it.

@@ -16,7 +16,7 @@ namespace hariko {
 void show_tip(const char* text);
 void show_tip(const std::string& text);
 
-/// What a tip must not cover: the panel or dialog of the last item, or the menus that are open.
+/// Area that a tip leaves free: the panel or dialog of the last item, or the menus that are open.
 enum class TipBeside { panel, menu };
 
 /// Gives the tip that begins next its place, as `show_tip` does. `size` tells how large its text is with

@@ -6,6 +6,8 @@
 #include <complex>
 #include <numbers>
 
+#include "core/base/solvers/dense_solver.hpp"
+
 namespace hariko {
 
 namespace {
@@ -71,32 +73,39 @@ double straightness(const CornerShape& corner) {
   return std::clamp((anchor_turn - turn_of(corner)) / (anchor_turn - straight_turn), 0.0, 1.0);
 }
 
-/// Places corners that turn little in their vertices as the vertices do, between those that turn: at a corner
-/// that is almost straight in both charts no other map is close to linear.
+/// Places corners that turn little in their vertices as the vertices do, between the corners beside them: at
+/// a corner that is almost straight in both charts no other map is close to linear. A linear system; with
+/// fewer than three corners that turn there is nothing to lie between.
 std::vector<Vector2> straightened(const std::vector<Vector2>& polygon, std::span<const CornerShape> corners,
                                   double share) {
-  using Complex = std::complex<double>;
-  const std::size_t n = polygon.size();
-  std::vector<std::size_t> anchors;
-  for (std::size_t j = 0; j < n; ++j)
-    if (straightness(corners[j]) == 0) anchors.push_back(j);
-  if (anchors.size() < 3 || anchors.size() == n) return polygon;
-  std::vector<Vector2> out = polygon;
-  for (std::size_t k = 0; k < anchors.size(); ++k) {
-    const std::size_t first = anchors[k], last = anchors[(k + 1) % anchors.size()];
-    std::vector<Complex> walk{0, 1};
-    Complex side = 1;
-    for (std::size_t j = (first + 1) % n; j != last; j = (j + 1) % n) {
-      side *= std::polar(corners[j].out / corners[j].in, turn_of(corners[j]));
-      walk.push_back(walk.back() + side);
-    }
-    const Complex start(polygon[first].x(), polygon[first].y()), end(polygon[last].x(), polygon[last].y());
-    for (std::size_t i = 1; i + 1 < walk.size(); ++i) {
-      const std::size_t j = (first + i) % n;
-      const Complex at = start + walk[i] / walk.back() * (end - start);
-      out[j] += share * straightness(corners[j]) * (Vector2(at.real(), at.imag()) - polygon[j]);
-    }
+  const auto n = static_cast<Eigen::Index>(polygon.size());
+  double turning = 0;
+  for (const CornerShape& corner : corners) turning += 1 - straightness(corner);
+  share *= std::clamp(turning - 2, 0.0, 1.0);
+  if (share == 0 || turning == double(n)) return polygon;
+  // Rows of x, then of y, of place - s ((1 - tau) before + tau after), tau complex.
+  Eigen::MatrixXd matrix = Eigen::MatrixXd::Identity(2 * n, 2 * n);
+  Eigen::VectorXd right(2 * n);
+  for (Eigen::Index j = 0; j < n; ++j) {
+    const CornerShape& corner = corners[std::size_t(j)];
+    const double s = share * straightness(corner);
+    const std::complex<double> after = std::polar(corner.out / corner.in, turn_of(corner));
+    const std::complex<double> tau = 1.0 / (1.0 + after), rest = 1.0 - tau;
+    const auto subtract = [&](Eigen::Index at, const std::complex<double>& factor) {
+      matrix(j, at) -= s * factor.real();
+      matrix(j, n + at) += s * factor.imag();
+      matrix(n + j, at) -= s * factor.imag();
+      matrix(n + j, n + at) -= s * factor.real();
+    };
+    subtract((j + n - 1) % n, rest);
+    subtract((j + 1) % n, tau);
+    right[j] = (1 - s) * polygon[std::size_t(j)].x();
+    right[n + j] = (1 - s) * polygon[std::size_t(j)].y();
   }
+  // Nearly singular where a run of such corners turns once around: what comes out then does not suit.
+  const Eigen::VectorXd places = solve_general(matrix, right);
+  std::vector<Vector2> out;
+  for (Eigen::Index j = 0; j < n; ++j) out.emplace_back(places[j], places[n + j]);
   return out;
 }
 

@@ -17,7 +17,8 @@ std::vector<Vector2> regular_chart_polygon(int sides);
 /// under the affine map that makes its moments of inertia equal in all directions and its mean side 1 (by
 /// length), so that parallelograms become the square. Continuous in `face` and `corners`. Drawn toward the
 /// regular polygon as far as it is not convex, or turns far less in a corner than the corner's vertex does.
-/// Corners that are straight in their vertices lie on the line between the corners beside them. O(sides).
+/// Corners that are straight in their vertices lie on the line between the corners beside them. O(sides)
+/// where all corners turn, else O(sides^3).
 std::vector<Vector2> chart_polygon(std::span<const Vector2> face, std::span<const CornerShape> corners);
 
 }  // namespace hariko

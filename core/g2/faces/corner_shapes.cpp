@@ -14,9 +14,9 @@ namespace {
 /// Least distance across an edge, relative to the edge's length.
 constexpr double least_across = 0.02;
 
+/// Extents of the corners' faces: per corner, across the edge that opens it and the one that closes it.
 struct Extents {
-  std::vector<double> over_out,
-      over_in;  ///< per corner: across the edge that opens it, and that which closes it
+  std::vector<double> over_out, over_in;
 };
 
 /// Extents of a corner's face across the corner's two edges, in the chart of its vertex: the heights of the

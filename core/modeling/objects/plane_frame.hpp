@@ -26,8 +26,9 @@ struct PlaneFrame {
   friend bool operator==(const PlaneFrame&, const PlaneFrame&) = default;
 };
 
-/// Where a ray meets the plane, before its origin too; nothing where it runs along the plane: its slope
-/// against it is below `least_slope` (the sine of the angle between them). `direction`: unit.
+/// Parameter of a ray's point in the plane, negative before its origin; nothing where it runs along the
+/// plane: its slope against it is below `least_slope` (the sine of the angle between them). `direction`:
+/// unit.
 std::optional<double> where_ray_meets(const PlaneFrame& plane, const Vector3& origin,
                                       const Vector3& direction, double least_slope);
 
