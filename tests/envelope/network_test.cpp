@@ -163,4 +163,27 @@ TEST(EnvelopeNetwork, APolyhedronThatIsNotConvexIsReplacedByItsHullAndSaysSo) {
   EXPECT_TRUE(says());
 }
 
+TEST(EnvelopeNetwork, AChordThroughTheCentreLeavesInTheTangentPlane) {
+  CageVertex vertex;
+  vertex.radial = Vector3(0.5, -0.3, 0.8).normalized();
+  vertex.normal = (vertex.radial + Vector3(0.2, 0.1, 0)).normalized();
+  const Vector3 chord = -1.7 * vertex.radial;
+  const Vector3 wanted = (chord - chord.dot(vertex.normal) * vertex.normal).normalized();
+  EXPECT_LT((vertex.tangent(chord) - wanted).norm(), 1e-12);
+  vertex.normal = vertex.radial;
+  EXPECT_TRUE(vertex.tangent(chord).isZero(0));
+}
+
+// Antipodal corners of a small solid may be neighbours on the hull of a random scene.
+TEST(EnvelopeNetwork, ScenesWithNeedlesThroughASolidAreSmoothAtTheirVertices) {
+  for (const std::uint64_t seed : {86, 87}) {
+    std::mt19937_64 rng(seed);
+    EnvelopeInput input = random_scene(rng);
+    input.settings.method = EnvelopeMethod::network;
+    const EnvelopeSurface made = envelope_of(input);
+    ASSERT_TRUE(made.network);
+    check_vertices(*made.network, network_solids(input, made.origin));
+  }
+}
+
 }  // namespace hariko::test

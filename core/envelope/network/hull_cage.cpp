@@ -353,7 +353,11 @@ class HullCageBuilder {
 }  // namespace
 
 Vector3 CageVertex::tangent(const Vector3& chord) const {
-  return (chord - normal.dot(chord) / normal.dot(radial) * radial).stableNormalized();
+  const double rounding = 1e-9 * chord.norm();
+  const Vector3 along = chord - normal.dot(chord) / normal.dot(radial) * radial;
+  if (along.norm() > rounding) return along.stableNormalized();
+  const Vector3 flat = chord - normal.dot(chord) * normal;
+  return flat.norm() > rounding ? flat.stableNormalized() : Vector3(Vector3::Zero());
 }
 
 NetworkCage hull_cage(std::span<const NetworkSolid> solids, double size) {

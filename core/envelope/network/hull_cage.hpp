@@ -18,7 +18,9 @@ struct CageVertex {
   Vector3 radial = Vector3::UnitZ();  ///< unit vector away from the centre of curvature
   bool guarded = false;               ///< the normal was changed and no longer equals the solid's
 
-  /// Tangent of an edge that leaves along the chord: its radial projection to the tangent plane, unit.
+  /// Tangent of an edge that leaves along the chord: its radial projection to the tangent plane, unit. A
+  /// chord through the centre has no radial projection and is projected along the normal. Zero if the chord
+  /// is normal to the plane.
   Vector3 tangent(const Vector3& chord) const;
 };
 
