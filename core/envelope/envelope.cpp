@@ -110,11 +110,11 @@ void add_ball_warnings(const BallEnvelope& made, double asked, double rounding, 
 }
 
 Result<Done> make_ball(const EnvelopedScene& scene, Quality quality, const CancelToken& cancel,
-                       EnvelopeSurface& out) {
+                       GrowthConstants& constants, EnvelopeSurface& out) {
   const EnvelopeSettings& wanted = scene.input.settings;
   const BallSettings ball = ball_settings(wanted, out.diagonal);
   std::optional<BallEnvelope> made =
-      ball_envelope(scene.input.solids, ball, out.origin, scene.mirror, quality, cancel);
+      ball_envelope(scene.input.solids, ball, out.origin, scene.mirror, quality, cancel, &constants);
   if (cancel.cancelled()) return cancelled();
   if (!made)
     return make_error(e_envelope_flat, "There is no surface round the solids.",
@@ -171,8 +171,8 @@ Result<EnvelopeSurface> EnvelopeSurfacer::rebuild(const EnvelopeInput& input, Qu
   EnvelopeSurface out;
   out.origin = scene.origin;
   out.diagonal = solids_size(scene.input.solids);
-  const auto made =
-      network ? make_network(scene, quality, cancel, out) : make_ball(scene, quality, cancel, out);
+  const auto made = network ? make_network(scene, quality, cancel, out)
+                            : make_ball(scene, quality, cancel, constants_, out);
   if (!made) return made.error();
   if (quality == Quality::drag) return out;
   add_file_warnings(input.settings, out.warnings);

@@ -7,6 +7,7 @@
 #include "core/base/cancellation.hpp"
 #include "core/base/result.hpp"
 #include "core/envelope/ball/ball_cage.hpp"
+#include "core/envelope/ball/grown_solids.hpp"
 #include "core/envelope/enclosure_check.hpp"
 #include "core/envelope/network/curve_network.hpp"
 #include "core/patching/polyhedron_surface.hpp"
@@ -57,6 +58,9 @@ class EnvelopeSurfacer {
   /// hull), W_NOT_SYMMETRIC, W_ENVELOPE_COARSE, W_ENVELOPE_METHOD, W_ROUNDING_RAISED.
   Result<EnvelopeSurface> rebuild(const EnvelopeInput& input, Quality quality = Quality::final,
                                   const CancelToken& cancel = {});
+
+ private:
+  GrowthConstants constants_;
 };
 
 }  // namespace hariko

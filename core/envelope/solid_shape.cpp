@@ -32,17 +32,6 @@ Vector3 nearest_on_segment(const Vector3& p, const Vector3& a, const Vector3& b)
   return a + std::clamp((p - a).dot(e) / e.squaredNorm(), 0.0, 1.0) * e;
 }
 
-Vector3 nearest_on_triangle(const Vector3& p, const Vector3& a, const Vector3& b, const Vector3& c,
-                            const Vector3& n) {
-  if (n.dot((b - a).cross(p - a)) >= 0 && n.dot((c - b).cross(p - b)) >= 0 &&
-      n.dot((a - c).cross(p - c)) >= 0)
-    return p - n.dot(p - a) * n;
-  Vector3 best = nearest_on_segment(p, a, b);
-  for (const Vector3& other : {nearest_on_segment(p, b, c), nearest_on_segment(p, c, a)})
-    if ((p - other).squaredNorm() < (p - best).squaredNorm()) best = other;
-  return best;
-}
-
 /// Position relative to an outside point: `nearest` is the solid's nearest point, `normal` the direction used
 /// at distance 0.
 SolidPlace place_outside(const Vector3& point, const Vector3& nearest, const Vector3& normal) {
@@ -86,6 +75,19 @@ double least_angle(const Function& value) {
 }
 
 }  // namespace
+
+Vector3 SolidShape::Hull::Face::nearest(const Vector3& p, double height) const {
+  // Only sides beyond which the point lies can hold the nearest point.
+  const std::array<const Vector3*, 3> corners{&a, &b, &c};
+  Vector3 best = p - height * normal;
+  double least = 1e300;
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (inwards[i].dot(p - *corners[i]) >= 0) continue;
+    const Vector3 q = nearest_on_segment(p, *corners[i], *corners[(i + 1) % 3]);
+    if (const double square = (p - q).squaredNorm(); square < least) least = square, best = q;
+  }
+  return best;
+}
 
 SolidShape SolidShape::capsule(const Vector3& a, const Vector3& b, double radius) {
   SolidShape out;
@@ -184,9 +186,11 @@ void SolidShape::make_hull(std::vector<Vector3> points) {
   std::map<std::pair<Index, Index>, Index> faces;
   std::vector<std::array<Index, 2>> coplanar;
   for (const auto& t : hull.triangles) {
-    Hull::Face face{points[t[0]], points[t[1]], points[t[2]], {}, 0};
+    Hull::Face face{points[t[0]], points[t[1]], points[t[2]], {}, 0, {}};
     face.normal = (face.b - face.a).cross(face.c - face.a).stableNormalized();
     face.offset = face.normal.dot(face.a);
+    for (std::size_t i = 0; i < 3; ++i)
+      face.inwards[i] = face.normal.cross(points[t[(i + 1) % 3]] - points[t[i]]);
     made->faces.push_back(face);
     for (std::size_t i = 0; i < 3; ++i) {
       const auto ends = std::minmax(t[i], t[(i + 1) % 3]);
@@ -304,7 +308,7 @@ SolidPlace SolidShape::own_place(const Vector3& p) const {
   for (const Hull::Face& face : hull_->faces)
     if (const double h = face.normal.dot(p) - face.offset; h > height) height = h, top = &face;
   if (height <= 0) return place_inside(p, height, top->normal);
-  Vector3 nearest = nearest_on_triangle(p, top->a, top->b, top->c, top->normal);
+  Vector3 nearest = top->nearest(p, height);
   double square = (p - nearest).squaredNorm();
   // Directly below the highest plane there is nothing nearer. Triangles of one face may differ by rounding in
   // the side on which the point lies.
@@ -313,7 +317,7 @@ SolidPlace SolidShape::own_place(const Vector3& p) const {
     for (const Hull::Face& face : hull_->faces) {
       const double h = face.normal.dot(p) - face.offset;
       if (h < -rounding || (h > 0 && h * h >= square) || &face == top) continue;
-      const Vector3 q = nearest_on_triangle(p, face.a, face.b, face.c, face.normal);
+      const Vector3 q = face.nearest(p, h);
       if (const double s = (p - q).squaredNorm(); s < square) square = s, nearest = q;
     }
   return place_outside(p, nearest, top->normal);

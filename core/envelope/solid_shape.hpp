@@ -48,6 +48,7 @@ class SolidShape {
 
   const Vector3& centre() const { return centre_; }
   double reach() const { return reach_; }  ///< no point of the solid is farther from the centre
+  bool is_convex() const { return form_ != Form::torus; }
   /// Points of the solid, one of each kind of corner, rim and side, in its own axes about its centre:
   /// candidates for the largest mean of the distance over a neighbourhood.
   const std::vector<Vector3>& extremes() const { return extremes_; }
@@ -99,6 +100,9 @@ struct SolidShape::Hull {
   struct Face {
     Vector3 a, b, c, normal;
     double offset;
+    std::array<Vector3, 3> inwards;  ///< normals of the sides ab, bc, ca in the face's plane
+    /// Nearest point of the face to a point at this height over its plane.
+    Vector3 nearest(const Vector3& point, double height) const;
   };
   std::vector<Face> faces;
   std::vector<std::array<Vector3, 2>> edges;  ///< where faces meet at an angle

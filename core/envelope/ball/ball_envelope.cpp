@@ -234,10 +234,15 @@ BallSettings ball_settings(const EnvelopeSettings& settings, double size) {
 }
 
 BallField ball_field(std::span<const Solid> solids, const BallSettings& settings, const Vector3& origin,
-                     std::optional<Eigen::Index> mirror, Quality quality, const CancelToken& cancel) {
+                     std::optional<Eigen::Index> mirror, Quality quality, const CancelToken& cancel,
+                     GrowthConstants* constants) {
+  GrowthConstants own;
+  if (!constants) constants = &own;
   std::vector<GrownSolid> grown;
-  for (const Solid& solid : solids)
-    grown.push_back(grown_solid(solid, origin, settings.sigma, room_outside(settings), settings.on_faces));
+  for (std::size_t i = 0; i < solids.size(); ++i) {
+    const double constant = constants->of(i, solids[i], settings.sigma, settings.on_faces);
+    grown.push_back(grown_solid(solids[i], origin, constant + room_outside(settings)));
+  }
   BallField out;
   for (const GrownSolid& solid : grown)
     out.middles.push_back(solid.shape.from_own_axes(solid.shape.middle()));
@@ -262,10 +267,11 @@ BallCage cage_of(const BallField& field, const Vector3& origin, double sigma) {
 
 std::optional<BallEnvelope> ball_envelope(std::span<const Solid> solids, const BallSettings& settings,
                                           const Vector3& origin, std::optional<Eigen::Index> mirror,
-                                          Quality quality, const CancelToken& cancel) {
+                                          Quality quality, const CancelToken& cancel,
+                                          GrowthConstants* constants) {
   BallEnvelope out;
   out.tolerance = patch_tolerance * settings.sigma;
-  static_cast<BallField&>(out) = ball_field(solids, settings, origin, mirror, quality, cancel);
+  static_cast<BallField&>(out) = ball_field(solids, settings, origin, mirror, quality, cancel, constants);
   if (cancel.cancelled()) return {};
   std::optional<Fitted> made = Fitting(out, origin, settings, quality, cancel).run();
   if (cancel.cancelled() || !made) return {};

@@ -61,9 +61,10 @@ struct BallEnvelope : BallField {
   bool contains_solids() const { return inward <= tolerance && lost == 0; }
 };
 
-/// Computes the field: the first step of `ball_envelope`.
+/// Computes the field: the first step of `ball_envelope`. `constants`: known from calls before, or null.
 BallField ball_field(std::span<const Solid> solids, const BallSettings& settings, const Vector3& origin,
-                     std::optional<Eigen::Index> mirror, Quality quality, const CancelToken& cancel = {});
+                     std::optional<Eigen::Index> mirror, Quality quality, const CancelToken& cancel = {},
+                     GrowthConstants* constants = nullptr);
 /// Largest distance of points of the solids outside the field's zero surface, along the gradient: surface
 /// points, corners and points of edges and rims. O(solids).
 double sticking_out(const SplineField& field, std::span<const SolidShape> solids, double sigma);
@@ -75,6 +76,7 @@ BallCage cage_of(const BallField& field, const Vector3& origin, double sigma);
 /// `origin`. Nothing where there is no surface or the work was cancelled. O(nodes of the lattice).
 std::optional<BallEnvelope> ball_envelope(std::span<const Solid> solids, const BallSettings& settings,
                                           const Vector3& origin, std::optional<Eigen::Index> mirror,
-                                          Quality quality, const CancelToken& cancel = {});
+                                          Quality quality, const CancelToken& cancel = {},
+                                          GrowthConstants* constants = nullptr);
 
 }  // namespace hariko

@@ -146,20 +146,29 @@ class Lattice {
   /// Refines a node from the coarse nodes around it, which bound its value.
   void refine(std::size_t at, const std::array<int, 3>& n) {
     const double way = spacing_ * std::sqrt(double((n[0] & 1) + (n[1] & 1) + (n[2] & 1)));
-    double sum = 0, low = -1e300, high = 1e300, best = -1e300;
-    const Vector3* start = nullptr;
+    double sum = 0, low = -1e300, high = 1e300;
+    std::array<std::array<int, 3>, 8> around;
     for (std::size_t c = 0; c < 8; ++c) {
-      const std::array<int, 3> m = coarse_node(n, c, 2);
-      const ClosedDistance& beside = nodes_[index(m[0], m[1], m[2])];
-      sum += beside.value / 8;
-      low = std::max(low, (least_.empty() ? beside.value : least_[index(m[0], m[1], m[2])]) - way);
-      high = std::min(high, (most_.empty() ? beside.value : most_[index(m[0], m[1], m[2])]) + way);
-      if (const double value = value_from(beside, m, n); value > best) best = value, start = &beside.centre;
+      around[c] = coarse_node(n, c, 2);
+      const std::size_t m = index(around[c][0], around[c][1], around[c][2]);
+      const double value = nodes_[m].value;
+      sum += value / 8;
+      low = std::max(low, (least_.empty() ? value : least_[m]) - way);
+      high = std::min(high, (most_.empty() ? value : most_[m]) + way);
     }
     const bool in_slot = !slots_.empty() && slots_[at] > 0;
-    if (in_slot || in_band(low, high)) return evaluate(at, n, start);
-    nodes_[at].value = sum;
-    state_[at] = State::between;
+    if (!in_slot && !in_band(low, high)) {
+      nodes_[at].value = sum;
+      state_[at] = State::between;
+      return;
+    }
+    double best = -1e300;
+    const Vector3* start = nullptr;
+    for (const std::array<int, 3>& m : around) {
+      const ClosedDistance& beside = nodes_[index(m[0], m[1], m[2])];
+      if (const double value = value_from(beside, m, n); value > best) best = value, start = &beside.centre;
+    }
+    evaluate(at, n, start);
   }
 
   /// Tries the centres of neighbours, because a search may end in a centre that is not the nearest one.
@@ -187,6 +196,9 @@ class Lattice {
           const std::size_t other = index(i, j, k);
           if (state_[other] != State::known || other == at) continue;
           const ClosedDistance& beside = nodes_[other];
+          // No ball has more room than its radius: the squared way alone excludes most neighbours.
+          const double room = std::max(balls_[ball_].radius(), beside.value) - best;
+          if (room < 0 || (beside.centre - x).squaredNorm() > room * room * (1 + 1e-9)) continue;
           if (const double value = value_from(beside, {i, j, k}, n); value > best)
             best = value, start = &nodes_[other].centre;
         }

@@ -143,19 +143,30 @@ class TangentStep {
 
   /// Nearest displacement that lies in all of these planes.
   void on_planes(const std::array<std::size_t, 3>& of, int count) {
-    Matrix3 gram = Matrix3::Identity();
-    Vector3 miss = Vector3::Zero();
-    for (int i = 0; i < count; ++i) {
-      const TangentPlane& a = planes_[of[std::size_t(i)]];
-      for (int j = 0; j < count; ++j) gram(i, j) = a.direction.dot(planes_[of[std::size_t(j)]].direction);
-      miss[i] = a.least - a.direction.dot(target_);
-    }
-    const double volume = gram.determinant();
-    if (!(volume > 1e-12)) return;
-    const Vector3 multipliers = gram.inverse() * miss;
-    if (multipliers.minCoeff() < 0) return;
+    constexpr double least_volume = 1e-12;  ///< square of the volume that the unit directions span
+    const Vector3 &a = planes_[of[0]].direction, &b = planes_[of[1]].direction, &c = planes_[of[2]].direction;
+    const auto miss = [&](std::size_t i) {
+      return planes_[of[i]].least - planes_[of[i]].direction.dot(target_);
+    };
+    Vector3 multipliers = Vector3::Zero();
     Vector3 way = target_;
-    for (int i = 0; i < count; ++i) way += multipliers[i] * planes_[of[std::size_t(i)]].direction;
+    if (count == 1) {
+      multipliers[0] = miss(0);
+      way += multipliers[0] * a;
+    } else if (count == 2) {
+      const double cosine = a.dot(b), square = 1 - cosine * cosine, miss_a = miss(0), miss_b = miss(1);
+      if (!(square > least_volume)) return;
+      multipliers.head<2>() << (miss_a - cosine * miss_b) / square, (miss_b - cosine * miss_a) / square;
+      way += multipliers[0] * a + multipliers[1] * b;
+    } else {
+      const Vector3 bc = b.cross(c), ca = c.cross(a), ab = a.cross(b);
+      const double volume = a.dot(bc);
+      if (!(volume * volume > least_volume)) return;
+      const Vector3 shift = (miss(0) * bc + miss(1) * ca + miss(2) * ab) / volume;
+      multipliers = Vector3(bc.dot(shift), ca.dot(shift), ab.dot(shift)) / volume;
+      way += shift;
+    }
+    if (multipliers.minCoeff() < 0) return;
     offer(way, of, count, multipliers);
   }
 
@@ -190,7 +201,7 @@ struct Closing::Search {
   NearestSolid room_at(const Vector3& y) const {
     NearestSolid out{no_index, closing.radius_};
     for (const Index i : among) {
-      if (closing.solids_.bound(i, y) >= out.distance) continue;
+      if (closing.solids_.is_farther(i, y, out.distance)) continue;
       if (const double e = closing.solids_.distance(i, y); e < out.distance) out = {i, e};
     }
     return out;
@@ -249,7 +260,7 @@ struct Closing::Search {
     std::size_t found = 0;
     double least = radius;
     for (const Index i : among) {
-      if (closing.solids_.bound(i, y) >= radius + slack) continue;
+      if (closing.solids_.is_farther(i, y, radius + slack)) continue;
       const SolidPlace at = closing.solids_[i].shape.place(y);
       const double e = at.distance - closing.solids_[i].growth;
       least = std::min(least, e);
@@ -305,7 +316,8 @@ ClosedDistance Closing::search(const Vector3& x, const Vector3& start, std::span
   // The solids that the ball about the start touches keep it away from x.
   for (const Index i : among) {
     if (search.count + 2 >= most_obstacles) break;
-    if (solids_.bound(i, start) < radius_ + accuracy_ && solids_.distance(i, start) < radius_ + accuracy_)
+    if (!solids_.is_farther(i, start, radius_ + accuracy_) &&
+        solids_.distance(i, start) < radius_ + accuracy_)
       search.add(i, start);
   }
   return search.run(start);
@@ -314,10 +326,12 @@ ClosedDistance Closing::search(const Vector3& x, const Vector3& start, std::span
 ClosedDistance Closing::at(const Vector3& x, std::span<const Index> among, const Vector3* start) const {
   const NearestSolid nearest = solids_.nearest(x, among);
   if (nearest.distance >= radius_) return {nearest.distance, x, false};
-  const SolidPlace place = solids_[nearest.solid].shape.place(x);
-  const Vector3 y = x + (radius_ - nearest.distance) * place.gradient;
+  const SolidShape& shape = solids_[nearest.solid].shape;
+  const Vector3 y = x + (radius_ - nearest.distance) * shape.place(x).gradient;
   const bool free = std::ranges::all_of(among, [&](Index i) {
-    return solids_.bound(i, y) >= radius_ - accuracy_ || solids_.distance(i, y) >= radius_ - accuracy_;
+    // Straight away from a convex solid the distance grows by as much as the way.
+    if (i == nearest.solid && shape.is_convex()) return true;
+    return solids_.is_farther(i, y, radius_ - accuracy_) || solids_.distance(i, y) >= radius_ - accuracy_;
   });
   if (free) return {nearest.distance, y, false};
   if (start) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <unordered_map>
 
 namespace hariko {
@@ -27,6 +28,12 @@ struct Crossing {
   Node node;  ///< the lower node
   int axis, length;
   bool rises;  ///< from inside to outside, in the direction of traversal
+};
+
+/// Crossings with the boundary of a face: at most one on each half of its sides.
+struct Crossings {
+  std::array<Crossing, 8> all;
+  std::size_t count = 0;
 };
 
 /// Square between two cubes, not divided into smaller ones.
@@ -94,19 +101,20 @@ class Contouring {
   }
 
   /// Crossings of the surface with the boundary of a face, in order.
-  std::vector<Crossing> crossings(const Face& face) {
+  Crossings crossings(const Face& face) {
     const int steps = cubes_.steps(face.level), u = (face.axis + 1) % 3, v = (face.axis + 2) % 3;
     const std::array<Node, 4> corners{face.node, moved(face.node, u, steps),
                                       moved(moved(face.node, u, steps), v, steps),
                                       moved(face.node, v, steps)};
-    std::vector<Crossing> out;
+    Crossings out;
     for (std::size_t side = 0; side < 4; ++side) {
       const Node &from = corners[side], &to = corners[(side + 1) % 4], low = std::min(from, to);
       const int axis = side % 2 == 0 ? u : v;
       const auto add = [&](const Node& a, const Node& b, int length) {
-        if (inside(a) != inside(b)) out.push_back({std::min(a, b), axis, length, inside(a)});
+        if (const bool from_inside = inside(a); from_inside != inside(b))
+          out.all[out.count++] = {std::min(a, b), axis, length, from_inside};
       };
-      if (face.level < cubes_.depth() && is_halved(low, axis, face.level)) {
+      if (cubes_.any_split() && face.level < cubes_.depth() && is_halved(low, axis, face.level)) {
         const Node middle = moved(low, axis, steps / 2);
         add(from, middle, steps / 2);
         add(middle, to, steps / 2);
@@ -120,7 +128,8 @@ class Contouring {
   /// Pairs of crossings of a face's boundary that are joined. If the face's centre is inside, outside corners
   /// are cut off.
   std::vector<std::array<Crossing, 2>> segments(const Face& face) {
-    const std::vector<Crossing> all = crossings(face);
+    const Crossings found = crossings(face);
+    const std::span all(found.all.data(), found.count);
     if (all.empty()) return {};
     bool cut_outside = true;
     if (all.size() > 2) {

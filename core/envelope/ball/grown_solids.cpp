@@ -109,21 +109,38 @@ double lying_constant(const SolidShape& solid, const SolidShape& followed, doubl
   return std::max(constant, mean_distance(distance, solid.middle(), sigma) + least_depth * sigma);
 }
 
-GrownSolid grown_solid(const Solid& solid, const Vector3& origin, double sigma, double room, bool on_faces) {
-  SolidShape shape(solid, origin);
+double constant_of(const Solid& solid, double sigma, bool on_faces) {
+  Solid unplaced = solid;
+  unplaced.position = unplaced.rotation = Vector3::Zero();
+  const SolidShape shape(unplaced, Vector3::Zero());
   std::optional<SolidShape> softer;
-  if (solid.roundness) softer.emplace(softened(solid), origin);
+  if (solid.roundness) softer.emplace(softened(unplaced), Vector3::Zero());
   const SolidShape& followed = softer ? *softer : shape;
-  const double constant =
-      on_faces ? lying_constant(shape, followed, sigma) : growth_constant(shape, followed, sigma);
-  return {followed, constant + room};
+  return on_faces ? lying_constant(shape, followed, sigma) : growth_constant(shape, followed, sigma);
+}
+
+double GrowthConstants::of(std::size_t number, const Solid& solid, double sigma, bool on_faces) {
+  if (known_.size() <= number) known_.resize(number + 1);
+  Known& known = known_[number];
+  Solid unplaced = solid;
+  unplaced.position = unplaced.rotation = Vector3::Zero();
+  if (known.sigma != sigma || known.on_faces != on_faces || !(known.solid == unplaced)) {
+    const double constant = constant_of(unplaced, sigma, on_faces);
+    known = {std::move(unplaced), sigma, on_faces, constant};
+  }
+  return known.constant;
+}
+
+GrownSolid grown_solid(const Solid& solid, const Vector3& origin, double growth) {
+  return {SolidShape(softened(solid), origin), growth};
 }
 
 GrownUnion::GrownUnion(std::vector<GrownSolid> solids) : solids_(std::move(solids)) {
   all_.resize(solids_.size());
   std::iota(all_.begin(), all_.end(), Index(0));
   for (const GrownSolid& solid : solids_) {
-    const Vector3 reach = Vector3::Constant(solid.shape.reach() + solid.growth);
+    balls_.push_back({solid.shape.centre(), solid.shape.reach() + solid.growth});
+    const Vector3 reach = Vector3::Constant(balls_.back().radius);
     box_.extend(Vector3(solid.shape.centre() - reach));
     box_.extend(Vector3(solid.shape.centre() + reach));
   }
@@ -132,7 +149,7 @@ GrownUnion::GrownUnion(std::vector<GrownSolid> solids) : solids_(std::move(solid
 NearestSolid GrownUnion::nearest(const Vector3& point, std::span<const Index> among) const {
   NearestSolid out;
   for (const Index i : among) {
-    if (bound(i, point) >= out.distance) continue;
+    if (is_farther(i, point, out.distance)) continue;
     if (const double d = distance(i, point); d < out.distance) out = {i, d};
   }
   return out;

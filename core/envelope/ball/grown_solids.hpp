@@ -25,11 +25,29 @@ struct GrownSolid {
   double growth = 0;  ///< subtracted from the distance
 };
 
-/// Makes the grown solid relative to `origin`; a solid with a roundness of its own is replaced by its
-/// softened one. `room`: a length of growth beyond its constant. `on_faces`: uses the face constant, except
+/// Constant by which a solid grows; it does not depend on its place. `on_faces`: the face constant, except
 /// for solids so thin that the kernel would leave nothing of them.
-GrownSolid grown_solid(const Solid& solid, const Vector3& origin, double sigma, double room,
-                       bool on_faces = false);
+double constant_of(const Solid& solid, double sigma, bool on_faces);
+
+/// Constants of a scene's solids, kept from call to call: while solids are only moved, none is made anew.
+class GrowthConstants {
+ public:
+  /// Constant of the solid with this number in the scene.
+  double of(std::size_t number, const Solid& solid, double sigma, bool on_faces);
+
+ private:
+  struct Known {
+    Solid solid;  ///< without its place
+    double sigma = 0;
+    bool on_faces = false;
+    double constant = 0;
+  };
+  std::vector<Known> known_;
+};
+
+/// Makes the grown solid relative to `origin`; a solid with a roundness of its own is replaced by its
+/// softened one.
+GrownSolid grown_solid(const Solid& solid, const Vector3& origin, double growth);
 
 struct NearestSolid {
   Index solid = no_index;
@@ -47,7 +65,12 @@ class GrownUnion {
     return solids_[i].shape.distance(point) - solids_[i].growth;
   }
   double bound(Index i, const Vector3& point) const {
-    return (point - solids_[i].shape.centre()).norm() - solids_[i].shape.reach() - solids_[i].growth;
+    return (point - balls_[i].centre).norm() - balls_[i].radius;
+  }
+  /// Whether this bound is at least `distance`; takes no root.
+  bool is_farther(Index i, const Vector3& point, double distance) const {
+    const double least = distance + balls_[i].radius;
+    return least <= 0 || (point - balls_[i].centre).squaredNorm() >= least * least;
   }
   /// Nearest solid of `among`, the first of equal ones.
   NearestSolid nearest(const Vector3& point, std::span<const Index> among) const;
@@ -56,7 +79,12 @@ class GrownUnion {
   std::span<const Index> all() const { return all_; }
 
  private:
+  struct Ball {
+    Vector3 centre;
+    double radius;
+  };
   std::vector<GrownSolid> solids_;
+  std::vector<Ball> balls_;  ///< bounding balls of the grown solids
   std::vector<Index> all_;
   Eigen::AlignedBox3d box_;
 };

@@ -20,77 +20,96 @@ struct Weights {
   }
 };
 
+/// Four numbers along x.
+using Row = Eigen::Array4d;
+
+double along_x(const double* weights, const Row& row) {
+  return (Eigen::Map<const Row>(weights) * row).sum();
+}
+
+/// Sum over the rows of one plane, weighted along y.
+Row weighted(const double* weights, const std::array<Row, 4>& rows) {
+  return (weights[0] * rows[0] + weights[1] * rows[1]) + (weights[2] * rows[2] + weights[3] * rows[3]);
+}
+
+// Sums over planes are kept as rows along x, which takes fewer operations than sums over coefficients. Names
+// tell the derivatives along y and z.
+
 struct ValueSum {
-  double out = 0;
-  void add(const double* row, const Weights& x, const Weights& y, const Weights& z, int j, int k) {
-    double v = 0;
-    for (int i = 0; i < 4; ++i) v += x.value[i] * row[i];
-    out += y.value[j] * z.value[k] * v;
+  Row plain = Row::Zero();
+  void add(const std::array<Row, 4>& rows, const Weights& y, const Weights& z, int k) {
+    plain += z.value[k] * weighted(y.value, rows);
   }
 };
 
 struct GradientSum {
-  double value = 0, dx = 0, dy = 0, dz = 0;
-  void add(const double* row, const Weights& x, const Weights& y, const Weights& z, int j, int k) {
-    double v = 0, d = 0;
-    for (int i = 0; i < 4; ++i) v += x.value[i] * row[i], d += x.first[i] * row[i];
-    value += y.value[j] * z.value[k] * v;
-    dx += y.value[j] * z.value[k] * d;
-    dy += y.first[j] * z.value[k] * v;
-    dz += y.value[j] * z.first[k] * v;
+  Row plain = Row::Zero(), dy = Row::Zero(), dz = Row::Zero();
+  void add(const std::array<Row, 4>& rows, const Weights& y, const Weights& z, int k) {
+    const Row value = weighted(y.value, rows);
+    plain += z.value[k] * value;
+    dz += z.first[k] * value;
+    dy += z.value[k] * weighted(y.first, rows);
   }
 };
 
 struct HessianSum {
-  double xx = 0, yy = 0, zz = 0, xy = 0, yz = 0, zx = 0;
-  void add(const double* row, const Weights& x, const Weights& y, const Weights& z, int j, int k) {
-    double v = 0, d = 0, dd = 0;
-    for (int i = 0; i < 4; ++i)
-      v += x.value[i] * row[i], d += x.first[i] * row[i], dd += x.second[i] * row[i];
-    xx += y.value[j] * z.value[k] * dd;
-    yy += y.second[j] * z.value[k] * v;
-    zz += y.value[j] * z.second[k] * v;
-    xy += y.first[j] * z.value[k] * d;
-    yz += y.first[j] * z.first[k] * v;
-    zx += y.value[j] * z.first[k] * d;
+  Row plain = Row::Zero(), dy = Row::Zero(), dz = Row::Zero(), dyy = Row::Zero(), dyz = Row::Zero(),
+      dzz = Row::Zero();
+  void add(const std::array<Row, 4>& rows, const Weights& y, const Weights& z, int k) {
+    const Row value = weighted(y.value, rows), first = weighted(y.first, rows);
+    plain += z.value[k] * value;
+    dz += z.first[k] * value;
+    dzz += z.second[k] * value;
+    dy += z.value[k] * first;
+    dyz += z.first[k] * first;
+    dyy += z.value[k] * weighted(y.second, rows);
   }
 };
 
 }  // namespace
 
 template <class Sum>
-Sum SplineField::sum(const Vector3& point) const {
+Sum SplineField::sum(const Vector3& point, std::array<double, 3>& share) const {
   const Vector3 at = (point - corner_) / spacing_;
   std::array<int, 3> low;
-  std::array<double, 3> share;
   for (std::size_t a = 0; a < 3; ++a) {
     const double x = std::clamp(at[Eigen::Index(a)], 1.0, double(size_[a] - 2));
     low[a] = std::min(int(x), size_[a] - 3);
     share[a] = x - low[a];
   }
-  const Weights x(share[0]), y(share[1]), z(share[2]);
+  const Weights y(share[1]), z(share[2]);
+  const double* first = weights_.data() + index(low[0] - 1, low[1] - 1, low[2] - 1);
+  const auto line = std::size_t(size_[0]), plane = line * std::size_t(size_[1]);
   Sum out;
-  for (int k = 0; k < 4; ++k)
-    for (int j = 0; j < 4; ++j) {
-      const std::size_t row = index(low[0] - 1, low[1] + j - 1, low[2] + k - 1);
-      out.add(weights_.data() + row, x, y, z, j, k);
-    }
+  for (int k = 0; k < 4; ++k, first += plane)
+    out.add({Eigen::Map<const Row>(first), Eigen::Map<const Row>(first + line),
+             Eigen::Map<const Row>(first + 2 * line), Eigen::Map<const Row>(first + 3 * line)},
+            y, z, k);
   return out;
 }
 
 double SplineField::value(const Vector3& point) const {
-  return sum<ValueSum>(point).out;
+  std::array<double, 3> share;
+  const auto s = sum<ValueSum>(point, share);
+  return along_x(Weights(share[0]).value, s.plain);
 }
 
 FieldPoint SplineField::at(const Vector3& point) const {
-  const auto s = sum<GradientSum>(point);
-  return {s.value, Vector3(s.dx, s.dy, s.dz) / spacing_};
+  std::array<double, 3> share;
+  const auto s = sum<GradientSum>(point, share);
+  const Weights x(share[0]);
+  return {along_x(x.value, s.plain),
+          Vector3(along_x(x.first, s.plain), along_x(x.value, s.dy), along_x(x.value, s.dz)) / spacing_};
 }
 
 Matrix3 SplineField::hessian(const Vector3& point) const {
-  const auto s = sum<HessianSum>(point);
+  std::array<double, 3> share;
+  const auto s = sum<HessianSum>(point, share);
+  const Weights x(share[0]);
+  const double xx = along_x(x.second, s.plain), yy = along_x(x.value, s.dyy), zz = along_x(x.value, s.dzz);
+  const double xy = along_x(x.first, s.dy), yz = along_x(x.value, s.dyz), zx = along_x(x.first, s.dz);
   Matrix3 out;
-  out << s.xx, s.xy, s.zx, s.xy, s.yy, s.yz, s.zx, s.yz, s.zz;
+  out << xx, xy, zx, xy, yy, yz, zx, yz, zz;
   return out / (spacing_ * spacing_);
 }
 

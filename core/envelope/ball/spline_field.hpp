@@ -38,8 +38,10 @@ class SplineField {
   const std::array<int, 3>& size() const { return size_; }
 
  private:
+  /// Sum over the coefficients near a point, still open along x; `share`: place in the cell, 0 .. 1 along
+  /// each axis.
   template <class Sum>
-  Sum sum(const Vector3& point) const;
+  Sum sum(const Vector3& point, std::array<double, 3>& share) const;
   std::size_t index(int i, int j, int k) const {
     return (std::size_t(k) * std::size_t(size_[1]) + std::size_t(j)) * std::size_t(size_[0]) + std::size_t(i);
   }

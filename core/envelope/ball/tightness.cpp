@@ -5,6 +5,7 @@
 
 #include "core/envelope/ball/ball_envelope.hpp"
 #include "core/envelope/ball/grown_solids.hpp"
+#include "core/envelope/ball/soft_solid.hpp"
 #include "core/envelope/scene_symmetry.hpp"
 
 namespace hariko {
@@ -63,10 +64,10 @@ void choose_ball_as_before(EnvelopeInput& input, double tightness) {
 
 double faces_outside(const Solid& solid, const EnvelopeSettings& settings, double size) {
   const BallSettings ball = ball_settings(settings, size);
-  const GrownSolid grown = grown_solid(solid, solid.position, ball.sigma, room_outside(ball), ball.on_faces);
+  const double growth = constant_of(solid, ball.sigma, ball.on_faces) + room_outside(ball);
   // The growth of a solid with a roundness of its own also compensates for faces that were moved inwards.
-  const SolidShape shape(solid, solid.position);
-  return grown.growth - face_constant(shape, solid.roundness ? grown.shape : shape, ball.sigma);
+  const SolidShape shape(solid, solid.position), followed(softened(solid), solid.position);
+  return growth - face_constant(shape, solid.roundness ? followed : shape, ball.sigma);
 }
 
 bool join_parts(EnvelopeInput& input) {
