@@ -18,11 +18,14 @@ const ChartEvaluation* charts_of(const Surface& surface) {
   return chart ? chart->charts : nullptr;
 }
 
+/// Distance from a warped corner at which the derivatives along its sides are taken.
+constexpr double beside_corner = 1e-4;
+
 /// Point of a cell's bilinear map, with its derivatives.
 struct CellPoint {
   Vector2 at, by_s, by_t;
 };
-CellPoint cell_point(const CadCell& cell, double s, double t) {
+CellPoint bilinear_point(const CadCell& cell, double s, double t) {
   const auto& c = cell.corners;
   CellPoint out;
   out.at = (1 - t) * ((1 - s) * c[0] + s * c[1]) + t * ((1 - s) * c[3] + s * c[2]);
@@ -178,6 +181,56 @@ PatchPoint by_linear(const PatchPoint& point, const Vector2& by_p, const Vector2
   return out;
 }
 
+/// Exponent of the warp at a vertex on a smooth border where this many patches meet, 3 or more. What runs in
+/// from the border shrinks there as at a vertex of twice the valence, the border's own curve by a half, which
+/// asks for no warp: the exponent lies between, nearer to the first.
+double border_exponent(int valence) {
+  constexpr double share = 0.8;
+  return 1 + share * (warp_exponent(2 * valence) - 1);
+}
+
+/// Exponents of the warps at the nodes of a Catmull-Clark surface: 1 at regular ones and on sharp edges.
+std::vector<double> warp_exponents(const Surface& surface) {
+  std::vector<int> valence(surface.node_count(), 0);
+  std::vector<char> border(surface.node_count(), 0), sharp(surface.node_count(), 0);
+  const auto mark = [&](const PatchSide& side, std::vector<char>& marks) {
+    for (const int end : {0, 1}) marks[surface.node(side.patch, (side.side + end) % 4)] = 1;
+  };
+  for (Index p = 0; p < surface.patch_count(); ++p)
+    for (int k = 0; k < 4; ++k) ++valence[surface.node(p, k)];
+  for (const PatchSide& side : surface.boundary_sides()) mark(side, border);
+  for (const Seam& seam : surface.seams())
+    if (seam.intended == Continuity::g0) mark(seam.first, sharp);
+  std::vector<double> out(surface.node_count(), 1);
+  for (Index node = 0; node < surface.node_count(); ++node)
+    if (!sharp[node] && valence[node] > 2 && (border[node] || valence[node] != 4))
+      out[node] = border[node] ? border_exponent(valence[node]) : warp_exponent(valence[node]);
+  return out;
+}
+
+/// Sets `CadPiece::warps` of the pieces of a Catmull-Clark surface at its extraordinary vertices. O(patches +
+/// seams).
+void set_warps(const Surface& surface, std::vector<CadPiece>& pieces) {
+  const auto is_endless = [&](Index patch) {
+    const ExactForm form = surface.patches().exact_form(patch);
+    const auto* own = std::get_if<SubdivisionPatch>(&form);
+    return own && !own->bicubic;
+  };
+  const std::vector<double> exponents = warp_exponents(surface);
+  for (CadPiece& piece : pieces) {
+    if (piece.cells.size() != 1 || !is_endless(piece.cells[0].patch)) continue;
+    const CadCell& cell = piece.cells[0];
+    std::vector<std::pair<Index, int>> corners;  // by node, the same order in all pieces
+    for (int k = 0; k < 4; ++k)
+      for (int j = 0; j < 4; ++j)
+        if (cell.corners[std::size_t(k)] == corner_parameter(Domain::square, j))
+          corners.emplace_back(surface.node(cell.patch, j), k);
+    std::sort(corners.begin(), corners.end());
+    for (const auto& [node, k] : corners)
+      if (exponents[node] != 1) piece.warps.emplace_back(k, exponents[node]);
+  }
+}
+
 }  // namespace
 
 const CadCell& CadPiece::cell(int side, Index at) const {
@@ -217,7 +270,11 @@ Vector2 CadPiece::parameter(int side, double x) const {
 std::vector<CadPiece> cad_pieces(const Surface& surface, CadPieces which) {
   if (surface.patch_count() == 0) return {};
   if (const ChartEvaluation* charts = charts_of(surface)) return chart_pieces(surface.patches(), *charts);
-  if (surface.domain() == Domain::square) return merged_squares(surface);
+  if (surface.domain() == Domain::square) {
+    std::vector<CadPiece> out = merged_squares(surface);
+    set_warps(surface, out);
+    return out;
+  }
   if (which == CadPieces::faces) return fan_pieces(surface);
   std::vector<CadPiece> out;
   for (Index p = 0; p < surface.patch_count(); ++p) add_thirds(p, 3 * p, out);
@@ -257,11 +314,36 @@ PatchPoint PieceEvaluator::fan_point(const CadCell& cell, const Vector2& at, Ord
 }
 
 PatchPoint PieceEvaluator::at(double s, double t, Order order) const {
+  return piece_->warps.empty() ? cell_point(s, t, order) : warped_point({s, t}, order);
+}
+
+PatchPoint PieceEvaluator::warped_point(const Vector2& at, Order order) const {
+  const std::vector<CornerWarp>& warps = piece_->warps;
+  for (const CornerWarp& warp : warps) {
+    if (!warp.is_corner(at)) continue;
+    // Derivatives at the corner: of both sides, and none of second order.
+    const double inward_s = at.x() > 0 ? -beside_corner : beside_corner,
+                 inward_t = at.y() > 0 ? -beside_corner : beside_corner;
+    PatchPoint out;
+    out.position = cell_point(at.x(), at.y(), Order::first).position;
+    out.ds = warped_point({at.x() + inward_s, at.y()}, Order::first).ds;
+    out.dt = warped_point({at.x(), at.y() + inward_t}, Order::first).dt;
+    return out;
+  }
+  std::vector<Vector2> places{at};
+  for (const CornerWarp& warp : warps) places.push_back(warp.map(places.back()));
+  PatchPoint out = cell_point(places.back().x(), places.back().y(), order);
+  for (std::size_t i = warps.size(); i-- > 0;) out = warps[i].pull_back(out, places[i], order);
+  return out;
+}
+
+/// Point by the parameters before warping.
+PatchPoint PieceEvaluator::cell_point(double s, double t, Order order) const {
   const CadPiece& piece = *piece_;
   const std::size_t column = span_of(piece.s, s), row = span_of(piece.t, t);
   const CadCell& cell = piece.cells[row * piece.columns() + column];
   const double width = piece.s[column + 1] - piece.s[column], height = piece.t[row + 1] - piece.t[row];
-  const CellPoint at = cell_point(cell, (s - piece.s[column]) / width, (t - piece.t[row]) / height);
+  const CellPoint at = bilinear_point(cell, (s - piece.s[column]) / width, (t - piece.t[row]) / height);
   const PatchPoint point = !cell.fan.empty() ? fan_point(cell, at.at, order)
                            : cell.chart      ? charts_->evaluate_chart(cell.patch, at.at, order)
                                              : patch_point(cell.patch, at.at, order);

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/cad/corner_warp.hpp"
 #include "core/surface/surface.hpp"
 
 namespace hariko {
@@ -37,6 +38,9 @@ struct CadPiece {
   /// Knots of the curve along each side, both ends included: the breaks at which it is more than one
   /// polynomial. Empty: all breaks.
   std::array<std::vector<double>, 4> side_knots;
+  /// Maps of the piece's parameters to those of its only cell, in the order in which they are applied; none
+  /// where there are several cells.
+  std::vector<CornerWarp> warps{};
 
   Index columns() const { return Index(s.size() - 1); }
   Index rows() const { return Index(t.size() - 1); }
@@ -85,6 +89,8 @@ class PieceEvaluator {
  private:
   PatchPoint patch_point(Index patch, const Vector2& at, Order order) const;
   PatchPoint fan_point(const CadCell& cell, const Vector2& at, Order order) const;
+  PatchPoint cell_point(double s, double t, Order order) const;
+  PatchPoint warped_point(const Vector2& at, Order order) const;
 
   const PatchSet* patches_;
   const ChartEvaluation* charts_;  ///< null where the patches have none
