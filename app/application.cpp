@@ -20,9 +20,11 @@
 #include "app/engines/paper_engine.hpp"
 #include "app/engines/rebuild_engine.hpp"
 #include "app/engines/reference_loader.hpp"
+#include "app/engines/section_engine.hpp"
 #include "app/engines/surface_builder.hpp"
 #include "app/input/frame_meter.hpp"
 #include "app/input/replay_session.hpp"
+#include "app/input/space_mouse.hpp"
 #include "app/input/test_log.hpp"
 #include "app/jobs/background_work.hpp"
 #include "app/jobs/conversion_jobs.hpp"
@@ -91,6 +93,7 @@ class Application final : private ApplicationServices {
         exchange_(editor_, workbench_, long_,
                   [this](const char* what, const auto& path) { happened(what, path); }),
         gauss_(editor_, editor_.gauss, &GlWindow::wake),
+        sections_(editor_, editor_.sections, &GlWindow::wake),
         session_(editor_, workbench_, folders_, assets_folder() / "samples",
                  {&GlWindow::wake, [this] { engine_.reset(); },
                   [this](const char* what, const auto& path) { happened(what, path); }}),
@@ -131,6 +134,7 @@ class Application final : private ApplicationServices {
     while (!quit_ && signal_ == 0) {
       if (replay_.open_document(frames_ <= 0)) frames_ = frames_after_input;
       if (replay_.play(idle_)) quit_ = true;
+      window_.queue(space_mouse_.take());
       const bool opening = workbench_.field_opening();
       if (opening) frames_ = std::max(frames_, 1);
       if (window_.wait(wait_seconds(), opening)) {
@@ -204,6 +208,7 @@ class Application final : private ApplicationServices {
   void cancel_count() override { exchange_.cancel_count(); }
   void export_pictures(PictureOrder order) override { exchange_.export_pictures(std::move(order)); }
   void export_drawing(DrawingOrder order) override { exchange_.export_drawing(std::move(order)); }
+  void export_sections(SectionOrder order) override { exchange_.export_sections(std::move(order)); }
   void export_control(const std::filesystem::path& path) override { skins_.export_control(path); }
   void export_pages(const std::filesystem::path& path) override { exchange_.export_pages(path); }
   void add_pictures(const std::vector<std::filesystem::path>& files) override { pictures_in_.add(files); }
@@ -288,6 +293,13 @@ class Application final : private ApplicationServices {
 
   void take_input() {
     for (const KeyPress& press : window_.take_keys()) workbench_.key(press);
+    for (const InputEvent& event : window_.take_caps()) {
+      const auto& c = event.cap;
+      if (event.kind == InputEvent::Kind::cap)
+        workbench_.cap({{c[0], c[1], c[2]}, {c[3], c[4], c[5]}, event.seconds});
+      else if (event.down)
+        workbench_.cap_button(event.code);
+    }
     std::vector<std::filesystem::path> pictures;
     for (const auto& path : window_.take_drops()) {
       if (is_reference_file(path))
@@ -327,6 +339,7 @@ class Application final : private ApplicationServices {
     const GlWindow::FrameEnd end = window_.end_frame(measured);
     meshes_.sync();
     gauss_.sync();
+    sections_.sync();
     references_.sync();
     const auto layout_before = editor_.paper.layout;
     paper_.sync();
@@ -370,14 +383,15 @@ class Application final : private ApplicationServices {
   Workbench workbench_;
   ExchangeJobs exchange_;
   GaussEngine gauss_;
+  SectionEngine sections_;
   DocumentSession session_;
   CrashOffers crashes_;
   Pictures pictures_;
   SamplePictures sample_pictures_;
   /// In the order in which their results are applied.
-  const std::vector<Publisher> publishers_{publisher(engine_), publisher(paper_),     publisher(long_),
-                                           publisher(edits_),  publisher(session_),   publisher(meshes_),
-                                           publisher(gauss_),  publisher(references_)};
+  const std::vector<Publisher> publishers_{publisher(engine_), publisher(paper_),      publisher(long_),
+                                           publisher(edits_),  publisher(session_),    publisher(meshes_),
+                                           publisher(gauss_),  publisher(references_), publisher(sections_)};
   int frames_ = frames_after_input;
   bool quit_ = false, idle_ = false;
   bool first_ = true;                       ///< no frame has been drawn yet
@@ -385,6 +399,7 @@ class Application final : private ApplicationServices {
   std::atomic<int> signal_ = 0;             ///< signal that asked to end
   FrameMeter meter_;
   ReplaySession replay_{editor_, workbench_, window_, engine_, log_};
+  SpaceMouse space_mouse_{&GlWindow::wake};
   ScriptRecorder scripts_{editor_, workbench_,
                           [](const std::filesystem::path& path) { return open_file(path); }};
 };

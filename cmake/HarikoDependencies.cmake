@@ -57,6 +57,17 @@ if(HARIKO_WINDOW)
   find_package(JPEG REQUIRED)
   find_package(Freetype REQUIRED)
   find_package(CLI11 REQUIRED)
+  # 3D mice: the library, where it is installed, talks to a daemon that may run or not.
+  find_path(SPNAV_INCLUDE spnav.h)
+  find_library(SPNAV_LIB spnav)
+  set(HARIKO_SPACENAV OFF)
+  if(SPNAV_INCLUDE AND SPNAV_LIB)
+    set(HARIKO_SPACENAV ON)
+    message(STATUS "libspnav: the program hears 3D mice")
+  else()
+    message(STATUS "libspnav was not found: the program will not hear 3D mice "
+      "(scripts/dependencies.sh spacenav installs it on Debian and Ubuntu)")
+  endif()
   pkg_check_modules(epoxy REQUIRED IMPORTED_TARGET epoxy)
   pkg_check_modules(fontconfig REQUIRED IMPORTED_TARGET fontconfig)
   # imgui.pc does not name FreeType, and the static library needs its link order: an own target.

@@ -199,6 +199,11 @@ std::optional<SurfaceMap> surface_map_from(std::string_view word) {
     if (fact.word == word) return fact.map;
   return std::nullopt;
 }
+std::vector<std::string> surface_map_words() {
+  std::vector<std::string> out;
+  for (const MapFacts& fact : facts) out.emplace_back(fact.word);
+  return out;
+}
 std::string_view word_of(SurfaceMap map) {
   return facts_of(map).word;
 }

@@ -31,6 +31,8 @@ Color color_of(const Colour& colour);
 /// Map by the command line's words shaded|patches|zebra|gauss|mean|k1|k2|continuity|isophotes|draft|radius|
 /// thickness|deviation; nothing for other words.
 std::optional<SurfaceMap> surface_map_from(std::string_view word);
+/// Those words, in the order of the maps.
+std::vector<std::string> surface_map_words();
 /// Inverse of `surface_map_from`.
 std::string_view word_of(SurfaceMap map);
 /// Title of a map for legends and menus: "Gaussian curvature" and so on.

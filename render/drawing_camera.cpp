@@ -9,11 +9,11 @@ DrawingView drawing_view(const Camera& camera, double width, double height, cons
   DrawingView view;
   view.eye = camera.eye();
   view.right = camera.right();
-  view.up = camera.up();
-  view.forward = camera.forward();
+  view.up = camera.picture_up();
+  view.forward = camera.picture_forward();
   view.orthographic = camera.orthographic;
-  view.focal =
-      camera.orthographic ? height / camera.view_height() : height / (2 * std::tan(camera.field_of_view / 2));
+  view.focal = camera.orthographic ? height / camera.view_height() : height / (2 * camera.half_slope());
+  view.middle = camera.middle_slope();
   view.width = width;
   view.height = height;
   view.near_plane = camera.clip_range(shown).near_plane;

@@ -23,14 +23,14 @@ void fill(Image& image, double x0, double y0, double x1, double y1, Color color)
 
 }  // namespace
 
-bool paint_legend(Image& image, const Legend& legend) {
+void paint_legend(Image& image, const Legend& legend, const std::optional<FontFile>& font) {
   const double s = legend.scale;
   // In a small picture the bar takes at most half the height.
   const double height = std::min(200 * s, 0.5 * image.height), width = 14 * s;
   const double left = 24 * s, bottom = image.height - 28 * s, top = bottom - height;
   const Color text = legend.on_dark ? color_from_hex("#e6e6e6") : color_from_hex("#2b2d31");
   const Color frame{text.r, text.g, text.b, 0.45F};
-  TextPainter painter;
+  TextPainter painter(font);
   const double size = 13 * s;
   const std::vector<Tick> ticks = legend_ticks(legend.range, 5);
   std::string heading(title_of(legend.map));
@@ -70,7 +70,6 @@ bool paint_legend(Image& image, const Legend& legend) {
     painter.paint(image, tick.label, x + width + 10 * s, y + 0.36 * size, size, text);
   }
   painter.paint(image, heading, left, top - 14 * s, size, text);
-  return painter.available();
 }
 
 }  // namespace hariko

@@ -2,9 +2,12 @@
 
 // Legend of a colour map, painted into pictures. The window paints its own from the same ranges and ticks.
 
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "render/color_map.hpp"
+#include "render/font_files.hpp"
 #include "render/image.hpp"
 
 namespace hariko {
@@ -23,8 +26,8 @@ struct Legend {
 /// Width of a legend at the left of a picture, design pixels.
 inline constexpr int legend_width = 180;
 
-/// Paints a legend at the lower left. Text needs an installed font (Inter, Noto or DejaVu Sans); without one
-/// only the bar and tick marks are painted and the result is false.
-bool paint_legend(Image& image, const Legend& legend);
+/// Paints a legend at the lower left, with a font as `TextPainter` takes it.
+void paint_legend(Image& image, const Legend& legend,
+                  const std::optional<FontFile>& font = font_files().text);
 
 }  // namespace hariko

@@ -101,7 +101,9 @@ Frame::Frame(const Scene& scene, const Camera& eye, PixelSize pixels, const Box3
     const double offset = scene.section->offset + normal.dot(Vector3(view.topRightCorner<3, 1>()));
     section = glm::vec4(-to_float(normal), static_cast<float>(offset));
   }
-  pixel_bias = camera.orthographic ? camera.pixel_length(size) : camera.pixel_length(size) / camera.distance;
+  pixel_bias = camera.orthographic
+                   ? camera.pixel_length(size)
+                   : camera.pixel_length(size) / camera.distance * std::hypot(1.0, camera.middle_slope());
 }
 
 Matrix4 at_origin(const Matrix4& transform, const Vector3& origin) {
@@ -262,7 +264,8 @@ Result<Done> Painter::surface(const Frame& frame, const SceneObject& object, con
   const Matrix3 rotation = frame.view.topLeftCorner<3, 3>();
   const Matrix3 linear = object.transform.topLeftCorner<3, 3>();
   set_frame(program, frame, model, 0);
-  program.set("pixel_slope", 2 * std::tan(frame.camera.field_of_view / 2) / frame.size.height);
+  program.set("pixel_slope", 2 * frame.camera.half_slope() / frame.size.height);
+  program.set("middle_slope", frame.camera.middle_slope());
   program.set("normal_to_eye",
               to_float(Matrix3(rotation * linear / std::cbrt(std::abs(linear.determinant())))));
   program.set("vertices_per_patch", static_cast<int>(object.mesh->vertices_per_patch()));
@@ -443,7 +446,8 @@ void Painter::bodies(const Frame& frame, const Matrix4& model, const BodyBuffers
   programs_.body.set("to_eye_normal", glm::mat3(to_float(Matrix3(linear.inverse().transpose()))));
   programs_.body.set("viewport",
                      glm::vec2(static_cast<float>(frame.size.width), static_cast<float>(frame.size.height)));
-  programs_.body.set("pixel_slope", frame.camera.pixel_length(frame.size) / frame.camera.distance);
+  programs_.body.set("pixel_slope", 2 * frame.camera.half_slope() / frame.size.height);
+  programs_.body.set("middle_slope", frame.camera.middle_slope());
   programs_.body.set("front", faded(style.front, opacity));
   programs_.body.set("rim", faded(style.rim, opacity));
   programs_.body.set("reach", style.reach);

@@ -137,7 +137,7 @@ std::optional<ScreenEdge> screen_edge(const SceneObject& object, const Projector
   out.world_b = world_position(object, j);
   if (!bad_a && !bad_b) return out;
   const Camera& camera = projector.camera();
-  const auto depth = [&](const Vector3& p) { return (p - camera.eye()).dot(camera.forward()); };
+  const auto depth = [&](const Vector3& p) { return (p - camera.eye()).dot(camera.picture_forward()); };
   const double near_depth = camera.distance * 1e-3, da = depth(out.world_a), db = depth(out.world_b);
   if (std::max(da, db) <= near_depth) return std::nullopt;
   const Vector3 cut = out.world_a + (near_depth - da) / (db - da) * (out.world_b - out.world_a);
@@ -284,7 +284,7 @@ void Search::add_curves(std::size_t o, std::vector<PickHit>& hits) const {
 std::vector<PickHit> Search::faces() {
   std::vector<PickHit> hits;
   const Ray ray = projector_.ray(pixel_);
-  const double slope = ray.direction.dot(projector_.camera().forward());
+  const double slope = ray.direction.dot(projector_.camera().picture_forward());
   for (std::size_t o = 0; o < scene_.objects.size(); ++o) {
     const SceneObject& object = scene_.objects[o];
     PickHit hit{o, Element::Kind::face, no_index, {}, {}, 0, infinity};

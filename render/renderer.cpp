@@ -62,6 +62,7 @@ struct Renderer::State {
                        gl::Depth depth, float opacity);
   void draw_bodies(const gl::Frame& frame, const SceneObject& object, const gl::Style& style);
   void draw_overlays(const gl::Frame& frame, const Scene& scene, const gl::Style& style);
+  void draw_scene_lines(const gl::Frame& frame, const Scene& scene);
 
   struct Picture {
     gl::FrameTarget target, kept, mask;
@@ -285,6 +286,17 @@ void Renderer::State::draw_bodies(const gl::Frame& frame, const SceneObject& obj
   painter->bodies(frame, model, buffers, object.selected.faces, look.selected, opacity);
 }
 
+void Renderer::State::draw_scene_lines(const gl::Frame& frame, const Scene& scene) {
+  for (const SceneLines& one : scene.curves) {
+    const gl::FacetLineBuffers& buffers = facet_edges.get(one.lines, bit, statistics.uploaded_bytes);
+    gl::LineLook look;
+    look.depth = one.lines->depth;
+    painter->lines(frame, gl::at_origin(Matrix4::Identity(), one.lines->origin),
+                   {&buffers.points(), 3, buffers.array(), buffers.count()}, {one.color, one.width},
+                   gl::Depth::visible, 1, look);
+  }
+}
+
 void Renderer::State::draw_overlays(const gl::Frame& frame, const Scene& scene, const gl::Style& style) {
   for (const SceneObject& object : scene.objects) {
     if (object.polyhedron && object.show_bodies) {
@@ -320,6 +332,7 @@ void Renderer::State::draw_overlays(const gl::Frame& frame, const Scene& scene, 
                         object.draws_surface() ? &mesh_buffers(*object.mesh) : nullptr, style);
     painter->cut(frame, false);
   }
+  draw_scene_lines(frame, scene);
   painter->overlay(frame, scene.lines);
 }
 

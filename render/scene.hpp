@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/base/text/enum_words.hpp"
 #include "core/base/vector.hpp"
 #include "core/document/similarity.hpp"
 #include "render/camera.hpp"
@@ -42,6 +43,9 @@ struct SectionPlane {
 
 /// Backgrounds of a picture.
 enum class Background { dark, light, transparent };
+template <>
+inline constexpr auto enum_words<Background> = all_words<Background>(
+    {{Background::dark, "dark"}, {Background::light, "light"}, {Background::transparent, "transparent"}});
 
 /// Grid on the ground, or on a plane of its own.
 struct GridSettings {
@@ -132,11 +136,19 @@ struct OverlayLine {
   bool on_top = true;  ///< not hidden by surfaces
 };
 
+/// Lines of one look over the surfaces, in world coordinates.
+struct SceneLines {
+  std::shared_ptr<const FacetLines> lines;  ///< not null
+  Color color;
+  float width = 1.5F;  ///< pixels
+};
+
 /// Everything that a picture shows.
 struct Scene {
   std::vector<SceneObject> objects;
   std::vector<ScenePicture> pictures;
   std::vector<OverlayLine> lines;
+  std::vector<SceneLines> curves;  ///< such as section curves; later ones are drawn over earlier ones
   Background background = Background::dark;
   GridSettings grid;
   ZebraSettings zebra;

@@ -4,19 +4,15 @@
 #include FT_FREETYPE_H
 #include FT_OUTLINE_H
 
-#include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdint>
+#include <cstddef>
+#include <string>
+
+#include "render/dot_text.hpp"
 
 namespace hariko {
 
 namespace {
-
-constexpr std::array font_files{"/usr/share/fonts/opentype/inter/Inter-Regular.otf",
-                                "/usr/share/fonts/truetype/noto/NotoSans-Regular.ttf",
-                                "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf",
-                                "/usr/share/fonts/truetype/liberation/LiberationSans-Regular.ttf"};
 
 /// Code points of UTF-8 text; malformed bytes become U+FFFD.
 std::u32string decode(std::string_view text) {
@@ -70,28 +66,24 @@ struct TextPainter::State {
   }
 };
 
-TextPainter::TextPainter() : state_(std::make_unique<State>()) {
-  if (FT_Init_FreeType(&state_->library)) {
+TextPainter::TextPainter(const std::optional<FontFile>& font) : state_(std::make_unique<State>()) {
+  if (!font || FT_Init_FreeType(&state_->library)) {
     state_->library = nullptr;
     return;
   }
-  for (const char* file : font_files)
-    if (!FT_New_Face(state_->library, file, 0, &state_->face)) return;
-  state_->face = nullptr;
+  if (FT_New_Face(state_->library, font->path.c_str(), font->face, &state_->face)) state_->face = nullptr;
 }
 TextPainter::~TextPainter() = default;
 TextPainter::TextPainter(TextPainter&&) noexcept = default;
 TextPainter& TextPainter::operator=(TextPainter&&) noexcept = default;
 
-bool TextPainter::available() const {
-  return state_->face != nullptr;
-}
-
 double TextPainter::width(std::string_view text, double size) {
+  if (!state_->face) return dot_text_width(decode(text), size);
   return state_->walk(text, size, FT_LOAD_NO_HINTING, [](double) {});
 }
 
 void TextPainter::paint(Image& image, std::string_view text, double x, double y, double size, Color color) {
+  if (!state_->face) return paint_dot_text(image, decode(text), {x, y}, 0, size, color);
   const int baseline = static_cast<int>(std::lround(y));
   state_->walk(text, size, FT_LOAD_RENDER | FT_LOAD_TARGET_LIGHT, [&](double pen) {
     blend_glyph(image, state_->face->glyph, static_cast<int>(std::lround(x + pen)), baseline, color);
@@ -100,8 +92,11 @@ void TextPainter::paint(Image& image, std::string_view text, double x, double y,
 
 void TextPainter::paint_turned(Image& image, std::string_view text, const Vector2& middle, double angle,
                                double size, double capitals, Color color) {
-  if (!state_->face) return;
   const double c = std::cos(angle), s = std::sin(angle), half = width(text, size) / 2;
+  if (!state_->face) {
+    const Vector2 start = middle + Vector2(-c * half + s * capitals / 2, s * half + c * capitals / 2);
+    return paint_dot_text(image, decode(text), start, angle, size, color);
+  }
   const auto fixed = [](double value) { return static_cast<FT_Fixed>(std::lround(value * 65536)); };
   FT_Matrix turn{fixed(c), fixed(-s), fixed(s), fixed(c)};
   state_->walk(text, size, FT_LOAD_NO_HINTING | FT_LOAD_NO_BITMAP, [&](double pen) {

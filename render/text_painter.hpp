@@ -3,23 +3,24 @@
 // TextPainter: short lines of text in pictures. Internal to render/; the window has its own text.
 
 #include <memory>
+#include <optional>
 #include <string_view>
 
 #include "core/base/vector.hpp"
+#include "render/font_files.hpp"
 #include "render/image.hpp"
 
 namespace hariko {
 
-/// Painter with the first installed font of a short list; without one it paints nothing.
+/// Painter with a font, that of the interface unless another is given; letters of dots where there is none or
+/// it cannot be read.
 class TextPainter {
  public:
-  TextPainter();
+  explicit TextPainter(const std::optional<FontFile>& font = font_files().text);
   ~TextPainter();
   TextPainter(TextPainter&&) noexcept;
   TextPainter& operator=(TextPainter&&) noexcept;
 
-  /// Whether a font was found.
-  bool available() const;
   /// Width in pixels of UTF-8 text at a size in pixels (of the em).
   double width(std::string_view text, double size);
   /// Paints with the baseline's left end at (x, y).

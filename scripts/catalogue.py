@@ -20,7 +20,7 @@ import sys
 # Words that are the same in every language, or that no user sees.
 ALLOWED = {
     "Hariko", "Blender", "Maya", "Rhino", "English", "DISPLAY", "UTF-8",
-    "Ctrl + ", "Shift + ", "Alt + ", "Viewport", "object:", "OpenGL ",
+    "Ctrl + ", "Shift + ", "Alt + ", "Viewport", "object:", "view:", "OpenGL ",
     # Families of fonts.
     "Inter", "FontAwesome", "Noto Sans CJK JP",
     # Names, and what a report of a mistake needs.
@@ -39,7 +39,7 @@ ALLOWED = {
 # everywhere.
 UNSEEN = {"app/main.cpp", "app/crash_report.cpp", "app/input/test_log.cpp", "app/input/replay.cpp", "ui/base/key_chord.cpp",
           "ui/editor/command_arguments.cpp", "ui/view/select_scripts.cpp", "ui/view/transform_scripts.cpp",
-          "ui/shell/property_scripts.cpp", "ui/shell/file_scripts.cpp", "app/scripts/script_file.cpp",
+          "ui/shell/property_scripts.cpp", "ui/analysis/section_scripts.cpp", "ui/shell/file_scripts.cpp", "app/scripts/script_file.cpp",
           "app/scripts/script_session.cpp"}
 # Calls whose literals are not for users, or are translated by the code of their message.
 SILENT = {"HARIKO_ASSERT", "make_error", "make_warning", "static_assert", "getenv", "glfwWindowHintString", "PushID",

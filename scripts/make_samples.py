@@ -319,7 +319,7 @@ def object_text(number_, name, source, cage=True, network=True):
 
 def document(*objects):
     return (
-        f'{{\n  "format": "hariko",\n  "version": 7,\n  "unit": "mm",\n  "next_object_id": {len(objects) + 1},\n'
+        f'{{\n  "format": "hariko",\n  "version": 8,\n  "unit": "mm",\n  "next_object_id": {len(objects) + 1},\n'
         '  "objects": [\n' + ",\n".join(objects) + "\n  ]\n}\n"
     )
 

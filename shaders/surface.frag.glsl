@@ -4,6 +4,7 @@
 uniform bool perspective;
 uniform vec2 viewport;         // pixels
 uniform float pixel_slope;     // slope of a view ray one pixel from the middle
+uniform float middle_slope;    // of the ray through the middle, along y
 uniform vec3 outside_color;    // sRGB
 uniform vec3 inside_color;
 uniform vec3 undefined_color;
@@ -131,9 +132,14 @@ float wire() {
 }
 #endif
 
+/// Direction from the fragment to an eye in perspective.
+vec3 view_ray() {
+  return normalize(vec3((0.5 * viewport - gl_FragCoord.xy) * pixel_slope - vec2(0.0, middle_slope), 1.0));
+}
+
 void main() {
   bool inside = !gl_FrontFacing;
-  vec3 v = perspective ? normalize(vec3((0.5 * viewport - gl_FragCoord.xy) * pixel_slope, 1.0)) : vec3(0.0, 0.0, 1.0);
+  vec3 v = perspective ? view_ray() : vec3(0.0, 0.0, 1.0);
   vec3 n = dot(eye_normal, eye_normal) > 1e-8 ? normalize(eye_normal) : v;
   if (inside) n = -n;
 

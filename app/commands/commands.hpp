@@ -15,6 +15,7 @@
 #include "core/document/format/file_choices.hpp"
 #include "core/gaussmap/outlines/outline_settings.hpp"
 #include "core/network/shaping.hpp"
+#include "core/offset/offset_surface.hpp"
 #include "core/unfolding/unfolding.hpp"
 #include "render/camera.hpp"
 #include "render/scene.hpp"
@@ -58,6 +59,7 @@ struct Construction {
 struct FileArguments {
   FileChoices choices;
   std::vector<std::string> only;  ///< names of objects; empty: all visible objects
+  Wall wall = {};                 ///< distance and thickness, in the document's unit
 };
 
 /// Arguments of `hariko info`.
@@ -87,6 +89,7 @@ struct RenderArguments {
   std::filesystem::path file, out;
   int width = 1280, height = 960;
   StandardView view = StandardView::iso;
+  std::string saved_view;  ///< name of a saved view, instead of `view`; empty for none
   SurfaceMap map = SurfaceMap::shaded;
   MapRange range;
   bool polyhedron = false, network = false, marks = false, combs = false, tensions = false;

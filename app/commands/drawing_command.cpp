@@ -5,6 +5,7 @@
 
 #include "app/commands/console.hpp"
 #include "app/commands/document_input.hpp"
+#include "app/commands/saved_view_camera.hpp"
 #include "app/commands/shown_objects.hpp"
 #include "core/base/files/file_io.hpp"
 #include "render/drawing_camera.hpp"
@@ -28,9 +29,13 @@ int run_drawing(const DrawingArguments& arguments) {
   constexpr double fine = 100;
   const PixelSize shape{int(std::lround(fine * arguments.width)), int(std::lround(fine * arguments.height))};
   const Box3 box = scene.world_box();
-  const Camera camera = Camera::standard(arguments.view).frame(box, shape);
+  const auto seen = camera_for(*document, arguments.saved_view, arguments.view, box, shape);
+  if (!seen) {
+    report(arguments.file.string(), seen.error());
+    return exit_failed;
+  }
   const auto drawing =
-      draw_lines(surfaces, drawing_view(camera, arguments.width, arguments.height, box, arguments.section),
+      draw_lines(surfaces, drawing_view(*seen, arguments.width, arguments.height, box, arguments.section),
                  arguments.lines);
   if (!drawing.ok()) {
     report(arguments.file.string(), drawing.error());

@@ -13,6 +13,7 @@ struct DrawingArguments {
   double width = 1280, height = 960;  ///< pixels of 1/96 inch
   PageUnit unit = PageUnit::pixel;    ///< unit of the file
   StandardView view = StandardView::iso;
+  std::string saved_view;  ///< name of a saved view, instead of `view`; empty for none
   std::optional<SectionPlane> section;
   LineDrawingSettings lines;
   Construction construction;

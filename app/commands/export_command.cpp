@@ -32,18 +32,21 @@ int run_export(const ExportArguments& arguments) {
     CadChoices choices = arguments.cad;
     if (arguments.file_arguments.choices.unit) choices.unit = *arguments.file_arguments.choices.unit;
     choices.scale = arguments.file_arguments.choices.scale;
-    const auto written = export_cad(*document, arguments.out, choices, header_time());
+    choices.to_zero = arguments.file_arguments.choices.to_zero;
+    const auto written =
+        export_cad(*document, arguments.out, choices, header_time(), {}, {}, arguments.file_arguments.wall);
     if (!written.ok()) {
       report(arguments.file.string(), written.error());
       return exit_failed;
     }
     for (const Message& warning : left_out_of_cad(*document)) report(arguments.file.string(), warning);
     for (const Message& warning : warnings_of(*written)) report(arguments.file.string(), warning);
-    return print(text_of(*written, document->unit)) ? exit_fine : exit_failed;
+    return print(text_of(*written, document->unit) + moved_text(written->moved)) ? exit_fine : exit_failed;
   }
   auto written = arguments.control ? control_meshes(*document, arguments.out)
                                    : export_surfaces(*document, arguments.out, arguments.density,
-                                                     arguments.file_arguments.choices);
+                                                     arguments.file_arguments.choices, {}, {},
+                                                     arguments.file_arguments.wall);
   if (!written.ok()) {
     report(arguments.file.string(), written.error());
     return exit_failed;

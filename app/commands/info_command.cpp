@@ -83,11 +83,14 @@ int run_info(const InfoArguments& arguments) {
   Describer describer(arguments, input, watch.lap());
   if (!describer.describe_all(against ? &*against : nullptr)) return exit_failed;
   const bool nothing = !input.document && !input.broken_mesh;
+  const std::vector<GroupInfo> groups =
+      input.document ? inspect_groups(*input.document) : std::vector<GroupInfo>();
   const std::vector<DimensionInfo> dimensions =
       input.document ? inspect_dimensions(*input.document) : std::vector<DimensionInfo>();
-  if (arguments.json ? !print(info_json(describer.objects(), dimensions))
+  if (arguments.json ? !print(info_json(describer.objects(), groups, dimensions))
                      : !nothing && describer.objects().empty() && !print(info_text({})))
     return exit_failed;
+  if (!arguments.json && !groups.empty() && !print("\n" + groups_text(groups))) return exit_failed;
   if (!arguments.json && !dimensions.empty() &&
       !print("\n" + dimensions_text(dimensions, input.document->unit)))
     return exit_failed;

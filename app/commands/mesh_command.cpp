@@ -52,6 +52,12 @@ void write_map(JsonWriter& json, const MeshedObject& object) {
   });
 }
 
+std::vector<Message> warnings_of_mesh(const MeshedObject& object) {
+  std::vector<Message> out = object.warnings;
+  out.insert(out.end(), object.result.warnings.begin(), object.result.warnings.end());
+  return out;
+}
+
 void write(JsonWriter& json, const MeshedObject& object) {
   const MeshApproximation& result = object.result;
   const auto criterion = [&](const char* name, const CriterionErrors& errors, double unit) {
@@ -71,7 +77,7 @@ void write(JsonWriter& json, const MeshedObject& object) {
     json.member("unreached", result.unreached);
     json.key("errors");
     write_map(json, object);
-    json.list("warnings", result.warnings, [&](const Message& warning) {
+    json.list("warnings", warnings_of_mesh(object), [&](const Message& warning) {
       json.object([&] {
         json.member("code", warning.code.name);
         json.member("text", warning.text);
@@ -148,7 +154,7 @@ int run_mesh(const MeshArguments& arguments) {
   if (!document.ok()) return failed(document.error());
   const WriteOptions options = write_options(*document, arguments.file_arguments.choices);
   const MeshRequest request{arguments.options, !arguments.errors.empty(), true,
-                            file_digits(*document, arguments.out, options)};
+                            file_digits(*document, arguments.out, options), arguments.file_arguments.wall};
   auto meshed = mesh_surfaces(*document, request);
   if (!meshed.ok()) return failed(meshed.error());
   const double meshing = watch.lap();
@@ -165,7 +171,7 @@ int run_mesh(const MeshArguments& arguments) {
   for (const Message& warning : left_out_of_triangles(*document)) report(arguments.file.string(), warning);
   for (const Message& warning : written->warnings) report(arguments.file.string(), warning);
   for (const MeshedObject& object : *meshed)
-    for (const Message& warning : object.result.warnings) report(arguments.file.string(), warning);
+    for (const Message& warning : warnings_of_mesh(object)) report(arguments.file.string(), warning);
   if (!arguments.json) {
     std::string text;
     for (const MeshedObject& object : *meshed) text += text_of(object);

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "app/commands/dimension_info.hpp"
+#include "app/commands/group_info.hpp"
 #include "app/files/open_file.hpp"
 #include "core/analysis/statistics.hpp"
 #include "core/document/document.hpp"
@@ -80,8 +81,9 @@ ObjectInfo inspect_at_once(const Object& object);
 /// Figures of a mesh file that makes no polyhedron.
 ObjectInfo inspect_broken(const OpenedFile& input);
 
-/// Report as JSON, {"objects": [...], "dimensions": [...]}, with the keys of docs/cli.md.
-std::string info_json(const std::vector<ObjectInfo>& objects, const std::vector<DimensionInfo>& dimensions);
+/// Report as JSON, {"objects": [...], "groups": [...], "dimensions": [...]}, with the keys of docs/cli.md.
+std::string info_json(const std::vector<ObjectInfo>& objects, const std::vector<GroupInfo>& groups,
+                      const std::vector<DimensionInfo>& dimensions);
 /// Report as text, one line for each value.
 std::string info_text(const std::vector<ObjectInfo>& objects);
 /// First lines of an object's text report, up to the first value that is not known yet.

@@ -165,6 +165,17 @@ void write(JsonWriter& json, const Message& message) {
   });
 }
 
+void write(JsonWriter& json, const GroupInfo& info) {
+  json.object([&] {
+    json.member("id", info.id);
+    json.member("name", info.name);
+    json.member("parent", info.parent);
+    json.member("visible", info.visible);
+    json.member("locked", info.locked);
+    json.member("objects", info.objects);
+  });
+}
+
 void write(JsonWriter& json, const DimensionInfo& info) {
   json.object([&] {
     json.member("kind", info.kind);
@@ -218,7 +229,8 @@ std::string text_of(const Message& message) {
 
 }  // namespace
 
-std::string info_json(const std::vector<ObjectInfo>& objects, const std::vector<DimensionInfo>& dimensions) {
+std::string info_json(const std::vector<ObjectInfo>& objects, const std::vector<GroupInfo>& groups,
+                      const std::vector<DimensionInfo>& dimensions) {
   JsonWriter json(2);
   json.object([&] {
     json.list("objects", objects, [&](const ObjectInfo& info) {
@@ -232,6 +244,7 @@ std::string info_json(const std::vector<ObjectInfo>& objects, const std::vector<
         write(json, times_of(info));
       });
     });
+    json.list("groups", groups, [&](const GroupInfo& info) { write(json, info); });
     json.list("dimensions", dimensions, [&](const DimensionInfo& info) { write(json, info); });
   });
   return json.take() + "\n";

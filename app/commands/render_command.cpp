@@ -3,6 +3,7 @@
 #include "app/commands/commands.hpp"
 #include "app/commands/console.hpp"
 #include "app/commands/document_input.hpp"
+#include "app/commands/saved_view_camera.hpp"
 #include "app/commands/shown_objects.hpp"
 #include "core/document/edits/edit_making.hpp"
 #include "render/picture.hpp"
@@ -76,8 +77,12 @@ int run_render(const RenderArguments& arguments) {
   if (has_values(arguments.map))
     set_ranges(scene, arguments.map, arguments.range, limit_of(*document, arguments.map), legend);
   const PixelSize size{arguments.width, arguments.height};
-  const Camera camera = Camera::standard(arguments.view).frame(scene.world_box(), size);
-  auto picture = render_picture(scene, camera, size.width, size.height);
+  const auto camera = camera_for(*document, arguments.saved_view, arguments.view, scene.world_box(), size);
+  if (!camera) {
+    report(file, camera.error());
+    return exit_failed;
+  }
+  auto picture = render_picture(scene, *camera, size.width, size.height);
   if (!picture.ok()) {
     report(file, picture.error());
     return exit_failed;

@@ -5,14 +5,15 @@
 #include <charconv>
 #include <cmath>
 #include <ctime>
+#include <limits>
 #include <optional>
 
 #include "app/files/export_surfaces.hpp"
 #include "app/files/left_out.hpp"
+#include "app/files/walled_surface.hpp"
 #include "core/base/files/file_io.hpp"
 #include "core/cad/cad_measure.hpp"
 #include "core/exchange/mesh_file.hpp"
-#include "core/modeling/surfacing/object_surfacer.hpp"
 
 namespace hariko {
 
@@ -69,13 +70,18 @@ struct MadeObject {
   MeshColour colour{};
 };
 
+Message named_error(Message error, const Object& object) {
+  if (!(error.code == e_cancelled)) error.text = object.name + ": " + error.text;
+  return error;
+}
+
 Message cancelled() {
   return make_error(e_cancelled, "The export was cancelled.");
 }
 
 Result<MadeObject> make_object(const Document& document, const Object& object, const CadChoices& choices,
-                               const CancelToken& cancel, const Progress& progress) {
-  const auto built = object_surface(document, object, cancel);
+                               const Wall& wall, const CancelToken& cancel, const Progress& progress) {
+  const auto built = walled_surface(document, object, wall, FoldedWalls::refuse, cancel);
   if (cancel.cancelled()) return cancelled();
   if (!built.ok()) return built.error();
   progress.report(0.2);
@@ -83,7 +89,7 @@ Result<MadeObject> make_object(const Document& document, const Object& object, c
   const CadModelOptions options =
       options_of(choices, own_scale * choices.scale, millimetres_per(document.unit));
   auto model = make_cad_model(built->surface, options, cancel, progress.part(0.2, 0.8));
-  if (!model.ok()) return model.error();
+  if (!model.ok()) return named_error(model.error(), object);
   MadeObject out{std::move(model).value(), {}, colour_of(object)};
   const CadMeasure measure = measure_cad(built->surface, out.model, samples, cancel);
   if (cancel.cancelled()) return cancelled();
@@ -91,6 +97,7 @@ Result<MadeObject> make_object(const Document& document, const Object& object, c
   const double tolerance = std::max(options.tolerance, options.share * out.model.size);
   CadObjectReport& report = out.report;
   report.name = object.name;
+  report.warnings = built->warnings;
   report.faces = out.model.faces.size();
   report.edges = out.model.edges.size();
   report.exact = measure.exact;
@@ -109,13 +116,35 @@ Result<MadeObject> make_object(const Document& document, const Object& object, c
   return out;
 }
 
+/// Box round all control points, in mm.
+Eigen::AlignedBox3d cad_box(const CadModel& model) {
+  Eigen::AlignedBox3d out;
+  for (const CadFace& face : model.faces)
+    for (const Vector3& p : face.surface.points) out.extend(model.origin + p);
+  return out;
+}
+
+/// Largest coordinate of all control points, in mm.
+double largest_coordinate(const CadModel& model) {
+  const Eigen::AlignedBox3d box = cad_box(model);
+  return box.isEmpty() ? 0 : std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());
+}
+
+/// Moves the middle of the box of all models to zero; returns where it was, in mm. Models are relative to
+/// their origins, so no digits are lost.
+Vector3 move_cad_to_zero(std::vector<MadeObject>& made) {
+  Eigen::AlignedBox3d box;
+  for (const MadeObject& one : made) box.extend(cad_box(one.model));
+  if (box.isEmpty()) return Vector3::Zero();
+  const Vector3 middle = box.center();
+  for (MadeObject& one : made) one.model.origin -= middle;
+  return middle;
+}
+
 /// Rounding of the largest coordinate, in mm: half of the last of the eleven digits that the kernel writes
 /// into IGES.
 double iges_rounding(const CadModel& model, Unit unit) {
-  double largest = 0;
-  for (const CadFace& face : model.faces)
-    for (const Vector3& p : face.surface.points)
-      largest = std::max(largest, (model.origin + p).cwiseAbs().maxCoeff());
+  const double largest = largest_coordinate(model);
   if (!(largest > 0)) return 0;
   const double millimetres = millimetres_per(unit);
   return 0.5 * std::pow(10, std::floor(std::log10(largest / millimetres)) - 10) * millimetres;
@@ -135,9 +164,27 @@ std::optional<Message> check_iges_digits(const MadeObject& made, const Document&
                     "Move the model to zero, write STEP, or choose a larger tolerance.");
 }
 
+/// E_FILE_DIGITS for a shape that the kernel's check refuses where doubles so far from zero are too coarse
+/// for it: it joins what is nearer than 1e-7 mm, and a point on a spline is a sum of some rounded products.
+std::optional<Message> check_kernel_digits(const std::vector<MadeObject>& made) {
+  constexpr double joined = 1e-7, roundings = 8;
+  double largest = 0;
+  for (const MadeObject& one : made) largest = std::max(largest, largest_coordinate(one.model));
+  const double rounding = largest * std::numeric_limits<double>::epsilon();
+  if (!(roundings * rounding > joined)) return {};
+  std::array<char, 32> text;
+  const auto end =
+      std::to_chars(text.data(), text.data() + text.size(), rounding, std::chars_format::general, 3);
+  return make_error(e_file_digits,
+                    "So far from zero, numbers in the file are " + std::string(text.data(), end.ptr) +
+                        " mm apart, and faces of a closed shape have to meet to 0.0000001 mm.",
+                    "Move the model to zero; on the command line --origin zero does that for the file.");
+}
+
 /// Models of all visible objects; at least one.
 Result<std::vector<MadeObject>> make_objects(const Document& document, const CadChoices& choices,
-                                             const CancelToken& cancel, const Progress& progress) {
+                                             const Wall& wall, const CancelToken& cancel,
+                                             const Progress& progress) {
   std::vector<MadeObject> made;
   const auto count = static_cast<double>(document.objects.size());
   double number = 0;
@@ -145,12 +192,8 @@ Result<std::vector<MadeObject>> make_objects(const Document& document, const Cad
     const Progress part = progress.part(number / count, (number + 1) / count);
     ++number;
     if (!object->visible || !object->has_surface()) continue;
-    auto one = make_object(document, *object, choices, cancel, part);
-    if (!one.ok()) {
-      Message error = one.error();
-      if (!(error.code == e_cancelled)) error.text = object->name + ": " + error.text;
-      return error;
-    }
+    auto one = make_object(document, *object, choices, wall, cancel, part);
+    if (!one.ok()) return one.error();
     if (!one->model.faces.empty()) made.push_back(std::move(one).value());
   }
   if (!made.empty()) return made;
@@ -166,12 +209,13 @@ Result<std::vector<MadeObject>> make_objects(const Document& document, const Cad
 
 Result<CadExportReport> export_cad(const Document& document, const std::filesystem::path& path,
                                    const CadChoices& choices, const std::string& time,
-                                   const CancelToken& cancel, const Progress& progress) {
+                                   const CancelToken& cancel, const Progress& progress, const Wall& wall) {
   if (const auto missing = why_no_cad_files()) return *missing;
   const auto format = cad_format_of(path);
   if (!format) return make_error(e_format_unknown, "The name must end in " + std::string(cad_endings) + ".");
-  const auto made = make_objects(document, choices, cancel, progress.part(0, modelling));
+  auto made = make_objects(document, choices, wall, cancel, progress.part(0, modelling));
   if (!made.ok()) return made.error();
+  const Vector3 moved = choices.to_zero ? move_cad_to_zero(made.value()) : Vector3(Vector3::Zero());
   if (*format == CadFormat::iges)
     for (const MadeObject& one : *made)
       if (auto wrong = check_iges_digits(one, document, choices)) return *wrong;
@@ -183,17 +227,21 @@ Result<CadExportReport> export_cad(const Document& document, const std::filesyst
   options.time = time;
   auto file = make_cad_file(objects, options, cancel, progress.part(modelling, 0.95));
   if (!file.ok()) return file.error();
+  if (!file->report.valid)
+    if (auto wrong = check_kernel_digits(*made)) return *wrong;
   if (const auto done = write_file_atomic(path, file->bytes); !done.ok()) return done.error();
   CadExportReport report;
   for (const MadeObject& one : *made) report.objects.push_back(one.report);
   report.file = file->report;
   report.bytes = file->bytes.size();
+  report.moved = moved / millimetres_per(choices.unit);
   progress.report(1);
   return report;
 }
 
-Result<CadTotals> count_cad(const Document& document, const CadChoices& choices, const CancelToken& cancel) {
-  const auto made = make_objects(document, choices, cancel, {});
+Result<CadTotals> count_cad(const Document& document, const CadChoices& choices, const CancelToken& cancel,
+                            const Wall& wall) {
+  const auto made = make_objects(document, choices, wall, cancel, {});
   if (!made.ok()) return made.error();
   std::vector<CadObjectReport> reports;
   for (const MadeObject& one : *made) reports.push_back(one.report);
@@ -220,6 +268,7 @@ CadTotals totals(std::span<const CadObjectReport> objects) {
 std::vector<Message> warnings_of(const CadExportReport& report) {
   std::vector<Message> out;
   for (const CadObjectReport& object : report.objects) {
+    out.insert(out.end(), object.warnings.begin(), object.warnings.end());
     if (object.unreached > 0)
       out.push_back(
           make_warning(w_cad_tolerance,

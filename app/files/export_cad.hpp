@@ -12,6 +12,7 @@
 #include "core/cad/cad_totals.hpp"
 #include "core/cad/kernel/cad_file.hpp"
 #include "core/document/format/cad_choices.hpp"
+#include "core/offset/offset_surface.hpp"
 
 namespace hariko {
 
@@ -33,7 +34,8 @@ struct CadObjectReport {
   bool curvature = false;  ///< the model is meant to have continuous curvature
   /// Largest across the same edges, relative to the curvature there; only with `curvature`.
   double curvature_jump = 0;
-  std::size_t unreached = 0;  ///< faces that do not keep the tolerance
+  std::size_t unreached = 0;           ///< faces that do not keep the tolerance
+  std::vector<Message> warnings = {};  ///< of the wall
 };
 
 /// Report on an export.
@@ -41,14 +43,17 @@ struct CadExportReport {
   std::vector<CadObjectReport> objects;
   CadFileReport file;  ///< lengths in millimetres
   std::uintmax_t bytes = 0;
+  Vector3 moved = Vector3::Zero();  ///< point of the file's space that `to_zero` moved to zero
 };
 
 /// Writes the surfaces of all visible objects, at quality `final`, atomically. `time` goes into the file's
-/// header. Errors: those of rebuilding (with the object's name) and of writing, E_NO_SURFACE, E_FILE_DIGITS,
-/// E_NO_CAD_KERNEL, E_CAD_KERNEL, E_FORMAT_UNKNOWN, E_CANCELLED; the file is then unchanged.
+/// header; `wall` is in the document's space. Errors: those of rebuilding and of `wall_surface` (with the
+/// object's name) and of writing, E_NO_SURFACE, E_FILE_DIGITS, E_NO_CAD_KERNEL, E_CAD_KERNEL,
+/// E_FORMAT_UNKNOWN, E_CANCELLED; the file is then unchanged.
 Result<CadExportReport> export_cad(const Document& document, const std::filesystem::path& path,
                                    const CadChoices& settings, const std::string& time,
-                                   const CancelToken& cancel = {}, const Progress& progress = {});
+                                   const CancelToken& cancel = {}, const Progress& progress = {},
+                                   const Wall& wall = {});
 
 /// Totals over all objects; lengths are the document's, after `scale`.
 CadTotals totals(std::span<const CadObjectReport> objects);
@@ -56,10 +61,11 @@ CadTotals totals(std::span<const CadObjectReport> objects);
 /// Totals of what `export_cad` would write, without OpenCASCADE. Takes nearly as long. Errors: those of
 /// rebuilding, E_NO_SURFACE, E_CANCELLED.
 Result<CadTotals> count_cad(const Document& document, const CadChoices& choices,
-                            const CancelToken& cancel = {});
+                            const CancelToken& cancel = {}, const Wall& wall = {});
 
-/// Warnings of an export: W_CAD_TOLERANCE and W_CAD_ANGLE for objects with faces that do not keep the
-/// tolerance or the angle; W_CAD_INVALID where the kernel finds faults; W_CAD_NAMES where names lost letters.
+/// Warnings of an export: those of the wall; W_CAD_TOLERANCE and W_CAD_ANGLE for objects with faces that do
+/// not keep the tolerance or the angle; W_CAD_INVALID where the kernel finds faults; W_CAD_NAMES where names
+/// lost letters.
 std::vector<Message> warnings_of(const CadExportReport& report);
 
 /// Local time in the form of file headers: 2026-11-22T12:00:00.

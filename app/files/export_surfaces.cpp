@@ -4,9 +4,9 @@
 
 #include "app/files/left_out.hpp"
 #include "app/files/reference_facets.hpp"
+#include "app/files/walled_surface.hpp"
 #include "core/document/object_shape.hpp"
 #include "core/exchange/mesh_file.hpp"
-#include "core/modeling/surfacing/object_surfacer.hpp"
 
 namespace hariko {
 
@@ -21,21 +21,16 @@ Message beyond_limit() {
 }
 
 /// Triangles of an object that has a surface.
-Result<TriangleMesh> tessellated(const Document& document, const Object& object, int density,
-                                 std::size_t& triangles, const CancelToken& cancel,
-                                 const Progress& progress) {
-  const auto built = object_surface(document, object, cancel);
-  if (cancel.cancelled()) return make_error(e_cancelled, "The export was cancelled.");
-  if (!built.ok()) {
-    Message error = built.error();
-    error.text = object.name + ": " + error.text;
-    return error;
-  }
+Result<NamedMesh> tessellated(const Document& document, const Object& object, int density, const Wall& wall,
+                              std::size_t& triangles, const CancelToken& cancel, const Progress& progress) {
+  const auto built = walled_surface(document, object, wall, FoldedWalls::tell, cancel);
+  if (!built.ok()) return built.error();
   progress.report(0.6);
   const auto n = static_cast<std::size_t>(density);
   triangles += built->surface.patch_count() * n * n;
   if (triangles > max_triangles) return beyond_limit();
-  return tessellate(built->surface, density, cancel);
+  return NamedMesh{object.name, tessellate(built->surface, density, cancel), colour_of(object),
+                   built->warnings};
 }
 
 }  // namespace
@@ -64,7 +59,9 @@ MeshColour colour_of(const Object& object) {
 }
 
 Result<std::vector<NamedMesh>> density_meshes(const Document& document, int density,
-                                              const CancelToken& cancel, const Progress& progress) {
+                                              const CancelToken& cancel, const Progress& progress,
+                                              const Wall& wall) {
+  if (auto wrong = why_no_wall(document, wall)) return *wrong;
   std::vector<NamedMesh> meshes;
   std::size_t triangles = 0;
   const auto count = static_cast<double>(document.objects.size());
@@ -79,9 +76,9 @@ Result<std::vector<NamedMesh>> density_meshes(const Document& document, int dens
       triangles += meshes.back().mesh.triangles.size();
       if (triangles > max_triangles) return beyond_limit();
     } else {
-      auto made = tessellated(document, *object, density, triangles, cancel, part);
+      auto made = tessellated(document, *object, density, wall, triangles, cancel, part);
       if (!made.ok()) return made.error();
-      meshes.push_back({object->name, std::move(made).value(), colour_of(*object)});
+      meshes.push_back(std::move(made).value());
     }
     place(meshes.back().mesh, object->transform);
   }
@@ -93,17 +90,19 @@ Result<std::vector<NamedMesh>> density_meshes(const Document& document, int dens
 
 Result<WrittenMeshes> export_surfaces(const Document& document, const std::filesystem::path& path,
                                       int density, const FileChoices& choices, const CancelToken& cancel,
-                                      const Progress& progress) {
+                                      const Progress& progress, const Wall& wall) {
   // Writing takes about a fourth of the time; of the rest solving takes more than tessellation.
   constexpr double writing = 0.75;
-  const auto meshes = density_meshes(document, density, cancel, progress.part(0, writing));
+  const auto meshes = density_meshes(document, density, cancel, progress.part(0, writing), wall);
   if (!meshes.ok()) return meshes.error();
   std::vector<NamedTriangles> named;
   for (const NamedMesh& mesh : *meshes) named.push_back({mesh.name, &mesh.mesh, mesh.colour});
   progress.report(writing);
   auto written = write_mesh_file(path, named, write_options(document, choices, cancel));
   if (!written.ok()) return written;
-  const auto shapeless = left_out_of_triangles(document);
+  auto shapeless = left_out_of_triangles(document);
+  for (const NamedMesh& mesh : *meshes)
+    shapeless.insert(shapeless.end(), mesh.warnings.begin(), mesh.warnings.end());
   std::vector<Message>& warnings = written.value().warnings;
   warnings.insert(warnings.begin(), shapeless.begin(), shapeless.end());
   return written;

@@ -11,6 +11,7 @@
 #include "core/document/document.hpp"
 #include "core/document/format/file_choices.hpp"
 #include "core/exchange/mesh_file.hpp"
+#include "core/offset/offset_surface.hpp"
 
 namespace hariko {
 
@@ -31,18 +32,23 @@ struct NamedMesh {
   std::string name;
   TriangleMesh mesh;  ///< in the document's space
   MeshColour colour;
+  std::vector<Message> warnings = {};  ///< of the wall
 };
 
 /// Triangles of all visible objects: surfaces at quality `final`, with `density` intervals along each patch
-/// side, and reference facets unchanged. Errors: those of rebuilding (with the object's name); E_NO_SURFACE
-/// where there is none; E_TOO_MANY_TRIANGLES above 20 million, about 2 GB of memory; E_CANCELLED.
+/// side, and reference facets unchanged. `wall`: in the document's space. Errors: those of rebuilding and of
+/// `wall_surface` (with the object's name); E_OFFSET_FACETS; E_NO_SURFACE where there is none;
+/// E_TOO_MANY_TRIANGLES above 20 million, about 2 GB of memory; E_CANCELLED.
 Result<std::vector<NamedMesh>> density_meshes(const Document& document, int density,
-                                              const CancelToken& cancel = {}, const Progress& progress = {});
+                                              const CancelToken& cancel = {}, const Progress& progress = {},
+                                              const Wall& wall = {});
 
 /// Writes the triangles in the format of the ending. Errors: those of `density_meshes` and of writing;
-/// E_CANCELLED. After an error the file is unchanged. Warnings include those of `left_out_of_triangles`.
+/// E_CANCELLED. After an error the file is unchanged. Warnings include those of `left_out_of_triangles`
+/// and of the wall.
 Result<WrittenMeshes> export_surfaces(const Document& document, const std::filesystem::path& path,
                                       int density, const FileChoices& choices = {},
-                                      const CancelToken& cancel = {}, const Progress& progress = {});
+                                      const CancelToken& cancel = {}, const Progress& progress = {},
+                                      const Wall& wall = {});
 
 }  // namespace hariko

@@ -1,13 +1,14 @@
 #include "app/files/mesh_surfaces.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "app/files/export_surfaces.hpp"
 #include "app/files/reference_facets.hpp"
+#include "app/files/walled_surface.hpp"
 #include "core/approximation/decimation/decimate.hpp"
 #include "core/document/object_box.hpp"
 #include "core/document/object_shape.hpp"
-#include "core/modeling/surfacing/object_surfacer.hpp"
 
 namespace hariko {
 
@@ -25,7 +26,14 @@ MeshOptions in_object_space(MeshOptions options, double scale) {
 std::optional<double> share_of_digits(const Object& object, const MeshRequest& request) {
   const std::optional<double>& distance = request.options.criteria.distance;
   if (!distance || (object.mesh() && !request.decimate)) return distance;
-  return request.digits ? std::min(request.digits(world_box(object)), 0.5 * *distance) : 0.0;
+  if (!request.digits) return 0.0;
+  Eigen::AlignedBox3d box = world_box(object);
+  const double wall = std::abs(request.wall.offset) + request.wall.thickness;
+  if (!box.isEmpty() && wall > 0) {
+    box.min().array() -= wall;
+    box.max().array() += wall;
+  }
+  return std::min(request.digits(box), 0.5 * *distance);
 }
 
 /// Fraction of a promised angle that is reserved for the file's rounding.
@@ -122,10 +130,11 @@ Result<MeshedObject> mesh_object(const Document& document, const Object& object,
   if (const MeshSource* facets = object.mesh())
     return request.decimate ? decimated(*facets, object.name, request, cancel, progress)
                             : as_it_is(*facets, object.name);
-  const auto built = object_surface(document, object, cancel);
-  if (cancel.cancelled()) return make_error(e_cancelled, "The meshing was cancelled.");
-  if (!built.ok()) return named(built.error(), object.name);
-  return mesh_of(built->surface, object.name, request, cancel, progress);
+  const auto built = walled_surface(document, object, request.wall, FoldedWalls::refuse, cancel);
+  if (!built.ok()) return built.error();
+  auto made = mesh_of(built->surface, object.name, request, cancel, progress);
+  if (made.ok()) made.value().warnings = built->warnings;
+  return made;
 }
 
 }  // namespace
@@ -140,6 +149,7 @@ void MeshedObject::add(const FileRounding& rounding) {
 
 Result<std::vector<MeshedObject>> mesh_surfaces(const Document& document, const MeshRequest& request,
                                                 const CancelToken& cancel, const Progress& progress) {
+  if (auto wrong = why_no_wall(document, request.wall)) return *wrong;
   std::vector<MeshedObject> out;
   const auto count = static_cast<double>(document.objects.size());
   double number = 0;

@@ -11,6 +11,7 @@
 #include "core/approximation/error_map.hpp"
 #include "core/document/document.hpp"
 #include "core/exchange/write_mesh.hpp"
+#include "core/offset/offset_surface.hpp"
 
 namespace hariko {
 
@@ -21,6 +22,7 @@ struct MeshedObject {
   std::optional<MeshErrorMap> errors;  ///< where requested; positions are relative to `surface_origin`
   Vector3 surface_origin = Vector3::Zero();
   MeshColour colour = usual_mesh_colour;
+  std::vector<Message> warnings = {};  ///< of the wall
   /// Part of the tolerance that is left for the file's rounding; nothing where no distance was promised.
   std::optional<double> most_rounding = {};
   /// Part of promised angles that is left for the file's rounding, radians; nothing where none is promised,
@@ -41,11 +43,12 @@ struct MeshRequest {
   /// Rounding of the target file: distances hold for the rounded numbers (at least half is left for the
   /// mesh), and so do angles (99 % are left).
   FileDigits digits = {};
+  Wall wall = {};  ///< distance and thickness of surfaces, in the document's space
 };
 
 /// Meshes of all visible objects: surfaces at quality `final`, and reference facets. Errors: those of
-/// rebuilding, `approximate` and `decimate`, with the object's name; E_NO_SURFACE where there is nothing to
-/// mesh; E_CANCELLED.
+/// rebuilding, `wall_surface`, `approximate` and `decimate`, with the object's name; E_NO_SURFACE where there
+/// is nothing to mesh; E_OFFSET_FACETS; E_CANCELLED.
 Result<std::vector<MeshedObject>> mesh_surfaces(const Document& document, const MeshRequest& request,
                                                 const CancelToken& cancel = {},
                                                 const Progress& progress = {});

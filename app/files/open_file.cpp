@@ -17,10 +17,13 @@
 #include "core/document/edits/edit_objects.hpp"
 #include "core/document/edits/edit_solids.hpp"
 #include "core/document/file.hpp"
+#include "core/document/format/folded_origin.hpp"
 #include "core/document/format/format.hpp"
+#include "core/document/format/read_origin.hpp"
 #include "core/document/format/read_outline.hpp"
 #include "core/document/format/read_skin.hpp"
 #include "core/document/format/read_solids.hpp"
+#include "core/document/words.hpp"
 #include "core/exchange/detect_json_format.hpp"
 #include "core/exchange/imported_mesh.hpp"
 #include "core/exchange/mesh_file.hpp"
@@ -117,7 +120,7 @@ class MeshObjects {
   /// Completes the documents. `metres_per_unit`: nothing where the file does not give it.
   void finish(const std::optional<double>& metres_per_unit) {
     opened_.says_unit = metres_per_unit.has_value();
-    for (const Unit unit : {Unit::millimetre, Unit::centimetre, Unit::metre, Unit::inch})
+    for (const Unit unit : enum_values<Unit>())
       for (auto* document : {&whole_, &repaired_, &reference_})
         if (*document && metres_per_unit &&
             std::abs(millimetres_per(unit) / (1000 * *metres_per_unit) - 1) < 1e-9)
@@ -246,8 +249,15 @@ void open_layout(const std::filesystem::path& file, JsonKind kind, OpenedFile& o
     if (!text.ok()) return text.error();
     auto source = read_layout(kind, *text);
     if (!source.ok()) return source.error();
+    auto origin = read_origin(*text);
+    if (!origin.ok()) return origin.error();
+    const Vector3 taken = take_far_origin(source.value());
+    const Similarity place = with_origin({}, *origin + taken);
+    if (!place.translation.allFinite())
+      return make_error(e_nonfinite, "The place of the model is not a finite number.",
+                        "Give the file a smaller origin.");
     const DisplaySettings display = kind == JsonKind::scene ? solids_display() : DisplaySettings{};
-    return add_object({}, opened.name, std::move(source).value(), {}, display);
+    return add_object({}, opened.name, std::move(source).value(), place, display);
   }();
   if (made.ok())
     opened.document = made->document;

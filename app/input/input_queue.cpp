@@ -46,6 +46,9 @@ bool fits(const std::vector<InputEvent>& batch, const InputEvent& next) {
         const bool same = next.kind == Kind::key && next.code == event.code && next.down != event.down;
         return !same && (next.kind == Kind::text || next.modifiers == event.modifiers);
       });
+    case Kind::cap:
+      return std::all_of(batch.begin(), batch.end(),
+                         [](const InputEvent& event) { return event.kind == Kind::cap; });
     default:
       return batch.empty();
   }
@@ -64,7 +67,7 @@ std::vector<InputEvent> InputQueue::take(bool keys_wait) {
     }
     batch.push_back(std::move(waiting_.front()));
     waiting_.pop_front();
-    if (batch.back().kind >= Kind::focus) break;
+    if (batch.back().kind >= Kind::cap_button) break;
   }
   return batch;
 }

@@ -3,6 +3,7 @@
 // InputQueue: user input as values, and its division into batches for frames. No window, no ImGui.
 
 #include <algorithm>
+#include <array>
 #include <deque>
 #include <filesystem>
 #include <string>
@@ -13,16 +14,21 @@ namespace hariko {
 
 /// Event of the user. Keys, buttons and modifiers have GLFW's numbers.
 struct InputEvent {
-  /// Kinds of events; `leave` is the pointer leaving the window.
-  enum class Kind { move, leave, button, wheel, key, text, focus, size, drop, close };
+  /// Kinds of events; `leave` is the pointer leaving the window, `cap` the cap of a 3D mouse.
+  enum class Kind { move, leave, button, wheel, key, text, cap, cap_button, focus, size, drop, close };
   Kind kind = Kind::move;
-  double x = 0, y = 0;                            ///< window coordinates (`move`, `size`) or steps (`wheel`)
-  int code = 0;                                   ///< button; key by its place; character of `text`
-  int meant = 0;                                  ///< code by the printed letter (`key`)
-  bool down = false;                              ///< pressed (`button`, `key`) or gained (`focus`)
-  bool repeated = false;                          ///< repeated by the keyboard (`key`)
-  int modifiers = 0;                              ///< held modifiers (`button`, `key`)
+  double x = 0, y = 0;    ///< window coordinates (`move`, `size`) or steps (`wheel`)
+  int code = 0;           ///< button, also of a 3D mouse; key by its place; character of `text`
+  int meant = 0;          ///< code by the printed letter (`key`)
+  bool down = false;      ///< pressed (`button`, `key`, `cap_button`) or gained (`focus`)
+  bool repeated = false;  ///< repeated by the keyboard (`key`)
+  int modifiers = 0;      ///< held modifiers (`button`, `key`)
   std::vector<std::filesystem::path> paths = {};  ///< dropped files (`drop`)
+
+  /// Deflection of the cap, 1 at most: pushes along x, y, z and turns about them (`CapMotion`), and for how
+  /// long.
+  std::array<double, 6> cap = {};
+  double seconds = 0;
 
   double came_at = 0;  ///< time; for merged moves that of the first
 
@@ -32,7 +38,8 @@ struct InputEvent {
 /// Queue that divides input into batches. A frame sees the state of the pointer and the keys at one moment
 /// only. So that nothing is lost or reordered when frames are slow, each frame gets a batch that one state
 /// can describe: moves up to the first button, one press of a button, a release alone, keys none of which is
-/// released in the same batch. The effect of a gesture then does not depend on the frame rate.
+/// released in the same batch, motions of a 3D mouse by themselves. The effect of a gesture then does not
+/// depend on the frame rate.
 class InputQueue {
  public:
   void push(InputEvent event) { waiting_.push_back(std::move(event)); }

@@ -22,6 +22,7 @@ constexpr int replay_version = 1;
 constexpr std::array kinds{std::pair{Kind::move, "move"},     std::pair{Kind::leave, "leave"},
                            std::pair{Kind::button, "button"}, std::pair{Kind::wheel, "wheel"},
                            std::pair{Kind::key, "key"},       std::pair{Kind::text, "text"},
+                           std::pair{Kind::cap, "cap"},       std::pair{Kind::cap_button, "cap_button"},
                            std::pair{Kind::focus, "focus"},   std::pair{Kind::size, "size"},
                            std::pair{Kind::drop, "drop"},     std::pair{Kind::close, "close"}};
 
@@ -50,6 +51,14 @@ void write(JsonWriter& json, const InputEvent& event) {
         break;
       case Kind::text:
         json.member("character", event.code);
+        break;
+      case Kind::cap:
+        json.list("cap", event.cap, [&](double part) { json.value(part); });
+        json.member("seconds", event.seconds);
+        break;
+      case Kind::cap_button:
+        json.member("button", event.code);
+        json.member("down", event.down);
         break;
       case Kind::focus:
         json.member("down", event.down);
@@ -88,10 +97,18 @@ InputEvent event_from(const Json& json) {
   event.x = json.value("x", 0.0);
   event.y = json.value("y", 0.0);
   if (!std::isfinite(event.x) || !std::isfinite(event.y)) throw std::runtime_error("a number is not finite");
-  event.code = event.kind == Kind::button ? json.at("button").get<int>()
+  const bool pressed = event.kind == Kind::button || event.kind == Kind::cap_button;
+  event.code = pressed                    ? json.at("button").get<int>()
                : event.kind == Kind::key  ? json.at("key").get<int>()
                : event.kind == Kind::text ? json.at("character").get<int>()
                                           : 0;
+  if (event.kind == Kind::cap) {
+    event.cap = json.at("cap").get<std::array<double, 6>>();
+    event.seconds = json.at("seconds").get<double>();
+    const bool finite =
+        std::all_of(event.cap.begin(), event.cap.end(), [](double x) { return std::isfinite(x); });
+    if (!finite || !std::isfinite(event.seconds)) throw std::runtime_error("a number is not finite");
+  }
   event.meant = event.kind == Kind::key ? json.value("meant", event.code) : 0;
   event.down = json.value("down", false);
   event.repeated = json.value("repeated", false);

@@ -12,4 +12,8 @@ namespace hariko {
 /// and `write_file_atomic`.
 Result<Done> write_drawing(const DrawingOrder& order, const CancelToken& cancel, const Progress& progress);
 
+/// Writes section curves likewise, in the format that the file's name says. Errors: those of `section_set`
+/// and `write_file_atomic`.
+Result<Done> write_sections(const SectionOrder& order, const CancelToken& cancel, const Progress& progress);
+
 }  // namespace hariko

@@ -189,6 +189,16 @@ void ExchangeJobs::export_drawing(DrawingOrder order) {
       [this, path](const Result<Done>& written) { tell(path, written); });
 }
 
+void ExchangeJobs::export_sections(SectionOrder order) {
+  const auto path = order.file;
+  work_.run_cancellable(
+      fill(translatable("Exporting {0}"), {path.filename().string()}),
+      [order = std::move(order)](const CancelToken& cancel, const Progress& progress) {
+        return write_sections(order, cancel, progress);
+      },
+      [this, path](const Result<Done>& written) { tell(path, written); });
+}
+
 void ExchangeJobs::tell(const std::filesystem::path& path, const Result<Done>& written) {
   if (!written.ok()) {
     log_("export_failed", path);

@@ -44,6 +44,8 @@ class ExchangeJobs {
   void export_pictures(PictureOrder order);
   /// Writes a line drawing.
   void export_drawing(DrawingOrder order);
+  /// Writes section curves.
+  void export_sections(SectionOrder order);
   /// Writes the pages of the paper model as laid out.
   void export_pages(const std::filesystem::path& path);
 

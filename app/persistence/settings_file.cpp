@@ -10,9 +10,11 @@
 
 #include "core/base/files/file_io.hpp"
 #include "core/base/text/sanitized_utf8.hpp"
+#include "core/document/words.hpp"
 #include "core/drawing/write_drawing_svg.hpp"
 #include "core/exchange/mesh_file.hpp"
 #include "render/picture.hpp"
+#include "ui/base/settings_members.hpp"
 
 namespace hariko {
 
@@ -23,69 +25,19 @@ using Json = nlohmann::json;
 
 constexpr std::uint64_t largest_settings = 1 << 20;  // bytes
 constexpr const char *exports_member = "exports", *cad_member = "cad", *picture_member = "picture",
-                     *drawing_member = "drawing";
-
-template <class Value>
-using Names = std::initializer_list<std::pair<const char*, Value>>;
-
-/// Visits all members of the settings, for reading from JSON and writing to it alike.
-template <class AnySettings, class Visitor>
-void visit(AnySettings& s, Visitor& visitor) {
-  visitor.choice("theme", s.theme, Names<ThemeId>{{"dark", ThemeId::dark}, {"light", ThemeId::light}});
-  visitor.choice("language", s.language,
-                 Names<LanguageId>{{"english", LanguageId::english}, {"japanese", LanguageId::japanese}});
-  visitor.number("interface_scale", s.interface_scale, 0.5, 3);
-  visitor.flag("colour_blind_maps", s.colour_blind_maps);
-  visitor.choice(
-      "unit", s.unit,
-      Names<Unit>{
-          {"mm", Unit::millimetre}, {"cm", Unit::centimetre}, {"m", Unit::metre}, {"in", Unit::inch}});
-  visitor.choice("navigation", s.navigation,
-                 Names<NavigationPreset>{{"hariko", NavigationPreset::hariko},
-                                         {"blender", NavigationPreset::blender},
-                                         {"maya", NavigationPreset::maya},
-                                         {"rhino", NavigationPreset::rhino},
-                                         {"trackpad", NavigationPreset::trackpad}});
-  visitor.flag("trackball", s.trackball);
-  visitor.flag("zoom_to_cursor", s.zoom_to_cursor);
-  visitor.flag("invert_wheel", s.invert_wheel);
-  visitor.flag("orbit_selection", s.orbit_selection);
-  visitor.flag("refine_on_surface", s.refine_on_surface);
-  visitor.flag("snap_vertices", s.snaps.vertices);
-  visitor.flag("snap_midpoints", s.snaps.midpoints);
-  visitor.flag("snap_centres", s.snaps.centres);
-  visitor.flag("snap_intersections", s.snaps.crossings);
-  visitor.flag("snap_perpendicular", s.snaps.perpendicular);
-  visitor.flag("snap_tangent", s.snaps.tangent);
-  visitor.flag("snap_curves", s.snaps.curves);
-  visitor.flag("snap_surfaces", s.snaps.surfaces);
-  visitor.flag("snap_grid", s.snaps.grid);
-  visitor.flag("snap_always", s.snaps.always);
-  visitor.number("orbit_speed", s.orbit_speed, 0.05, 20);
-  visitor.number("zoom_speed", s.zoom_speed, 0.05, 20);
-  visitor.number("autosave_seconds", s.autosave_seconds, 1, Settings::most_autosave_seconds);
-  visitor.texts("keys", s.keys);
-  visitor.number("side_width", s.side_width, 100, 2000);
-  visitor.number("objects_height", s.objects_height, 0, 4000);
-}
+                     *drawing_member = "drawing", *folders_member = "folders";
 
 /// Visits the members of a triangle export's settings; lengths are in the document's unit.
 template <class AnyExport, class Visitor>
 void visit_export(AnyExport& e, Visitor& visitor) {
-  using By = ExportSettings::By;
   constexpr double longest = 1e300;
-  visitor.choice("by", e.by, Names<By>{{"tolerance", By::tolerance}, {"density", By::density}});
-  visitor.number("distance", e.distance, 0, longest);
-  visitor.number("angle", e.angle, 0, std::numbers::pi / 2);
+  visitor.choice("by", e.by);
+  visitor.number("distance", 0, longest, e.distance);
+  visitor.number("angle", 0, std::numbers::pi / 2, e.angle);
   visitor.flag("optimise", e.optimise);
-  visitor.number("density", e.density, 1, 64);
-  visitor.choice("unit", e.choices.unit,
-                 Names<std::optional<Unit>>{{"document", std::nullopt},
-                                            {"mm", Unit::millimetre},
-                                            {"cm", Unit::centimetre},
-                                            {"m", Unit::metre},
-                                            {"in", Unit::inch}});
-  visitor.number("scale", e.choices.scale, 1e-6, 1e6);
+  visitor.number("density", 1, 64, e.density);
+  visitor.choice("unit", e.choices.unit, "document");
+  visitor.number("scale", 1e-6, 1e6, e.choices.scale);
   visitor.flag("y_up", e.choices.y_up);
   visitor.flag("ascii", e.choices.ascii);
   visitor.flag("to_zero", e.choices.to_zero);
@@ -94,43 +46,32 @@ void visit_export(AnyExport& e, Visitor& visitor) {
 template <class AnyChoices, class Visitor>
 void visit_cad(AnyChoices& c, Visitor& visitor) {
   constexpr double longest = 1e300;
-  visitor.number("tolerance", c.tolerance, 0, longest);
-  visitor.number("angle", c.angle, 0, 1);
-  visitor.choice(
-      "quality", c.quality,
-      Names<CadQuality>{
-          {"light", CadQuality::light}, {"balanced", CadQuality::balanced}, {"fine", CadQuality::fine}});
+  visitor.number("tolerance", 0, longest, c.tolerance);
+  visitor.number("angle", 0, 1, c.angle);
+  visitor.choice("quality", c.quality);
   visitor.flag("exact", c.exact);
   visitor.flag("whole_faces", c.whole_faces);
-  visitor.choice(
-      "unit", c.unit,
-      Names<Unit>{
-          {"mm", Unit::millimetre}, {"cm", Unit::centimetre}, {"m", Unit::metre}, {"in", Unit::inch}});
-  visitor.number("scale", c.scale, 1e-6, 1e6);
+  visitor.choice("unit", c.unit);
+  visitor.number("scale", 1e-6, 1e6, c.scale);
   visitor.flag("ap242", c.ap242);
 }
 
 template <class AnyPicture, class Visitor>
 void visit_picture(AnyPicture& p, Visitor& visitor) {
-  using Size = PictureSettings::Size;
-  visitor.choice("size", p.size,
-                 Names<Size>{{"view", Size::view},
-                             {"full_hd", Size::full_hd},
-                             {"ultra_hd", Size::ultra_hd},
-                             {"custom", Size::custom}});
-  visitor.number("width", p.custom.width, 1, max_picture_side);
-  visitor.number("height", p.custom.height, 1, max_picture_side);
+  visitor.choice("size", p.size);
+  visitor.number("width", 1, max_picture_side, p.custom.width);
+  visitor.number("height", 1, max_picture_side, p.custom.height);
   visitor.flag("transparent", p.transparent);
   visitor.flag("grid", p.grid);
   visitor.flag("selection", p.selection);
   visitor.flag("legend", p.legend);
-  visitor.number("turntable_pictures", p.turntable_pictures, 1, most_turntable_pictures);
+  visitor.number("turntable_pictures", 1, most_turntable_pictures, p.turntable_pictures);
   visitor.flag("fit", p.fit);
 }
 
 template <class AnyDrawing, class Visitor>
 void visit_drawing(AnyDrawing& d, Visitor& visitor) {
-  visitor.number("width", d.width, least_page_side, most_page_side);
+  visitor.number("width", least_page_side, most_page_side, d.width);
   visitor.flag("network", d.network);
   visitor.flag("hidden", d.hidden);
 }
@@ -177,7 +118,7 @@ class Reader {
       refuse(name);
   }
   template <class Number>
-  void number(const char* name, Number& value, double least, double most) {
+  void number(const char* name, double least, double most, Number& value) {
     const Json* json = find(name);
     const double number = json && json->is_number() ? json->get<double>() : std::nan("");
     if (number >= least && number <= most)
@@ -185,26 +126,36 @@ class Reader {
     else if (json)
       refuse(name);
   }
-  template <class Value>
-  void choice(const char* name, Value& value, Names<Value> names) {
-    const Json* json = find(name);
-    if (!json) return;
-    for (const auto& [text, choice] : names)
-      if (*json == text) {
-        value = choice;
-        return;
-      }
-    refuse(name);
+  template <class Enum>
+  void choice(const char* name, Enum& value) {
+    const std::string* word = find_word(name);
+    if (!word) return;
+    const auto read = enum_value<Enum>(*word);
+    read ? void(value = *read) : refuse(name);
+  }
+  /// `none`: the word for no choice.
+  template <class Enum>
+  void choice(const char* name, std::optional<Enum>& value, const char* none) {
+    const std::string* word = find_word(name);
+    if (!word) return;
+    const auto read = enum_value<Enum>(*word);
+    read || *word == none ? void(value = read) : refuse(name);
   }
   void texts(const char* name, std::map<std::string, std::string>& value) {
     const Json* json = find(name);
     if (!json) return;
     if (!json->is_object()) return refuse(name);
-    for (const auto& [key, text] : json->items())
+    Reader inner(*json, place_ + name + ".");
+    inner.entries(value);
+    if (!inner.wrong_.empty()) wrong_ += (wrong_.empty() ? "" : ", ") + inner.wrong_;
+  }
+  /// All members are texts.
+  void entries(std::map<std::string, std::string>& value) {
+    for (const auto& [key, text] : json_.items())
       if (text.is_string())
         value[key] = text.get<std::string>();
       else
-        refuse(name + ("." + shortened(key, 120)));
+        refuse(shortened(key, 120));
   }
   /// Reads the choices for formats that this version writes.
   void exports(ExportMemory& memory) {
@@ -213,7 +164,9 @@ class Reader {
     if (!json->is_object()) return refuse(exports_member);
     for (const auto& [name, item] : json->items()) {
       const auto ending = written_ending(name);
-      if (!ending && name != cad_member && name != picture_member && name != drawing_member) continue;
+      if (!ending && name != cad_member && name != picture_member && name != drawing_member &&
+          name != folders_member)
+        continue;
       const std::string place = exports_member + ("." + name);
       if (!item.is_object()) {
         refuse(place);
@@ -222,6 +175,8 @@ class Reader {
       Reader inner(item, place + ".");
       if (ending)
         visit_export(memory.formats[*ending], inner);
+      else if (name == folders_member)
+        inner.entries(memory.folders);
       else if (name == cad_member)
         visit_cad(memory.cad, inner);
       else if (name == picture_member)
@@ -237,6 +192,12 @@ class Reader {
     const auto it = json_.find(name);
     return it == json_.end() ? nullptr : &*it;
   }
+  /// Text of a member; refused where it is something else.
+  const std::string* find_word(const char* name) {
+    const Json* json = find(name);
+    if (json && !json->is_string()) refuse(name);
+    return json ? json->get_ptr<const std::string*>() : nullptr;
+  }
   void refuse(const std::string& name) { wrong_ += (wrong_.empty() ? "" : ", ") + place_ + name; }
 
   const Json& json_;
@@ -249,13 +210,16 @@ class Writer {
   explicit Writer(Json& json) : json_(json) {}
   void flag(const char* name, bool value) { json_[name] = value; }
   template <class Number>
-  void number(const char* name, Number value, double, double) {
+  void number(const char* name, double, double, Number value) {
     json_[name] = value;
   }
-  template <class Value>
-  void choice(const char* name, Value value, Names<Value> names) {
-    for (const auto& [text, choice] : names)
-      if (choice == value) json_[name] = text;
+  template <class Enum>
+  void choice(const char* name, Enum value) {
+    json_[name] = enum_word(value);
+  }
+  template <class Enum>
+  void choice(const char* name, std::optional<Enum> value, const char* none) {
+    json_[name] = value ? enum_word(*value) : none;
   }
   void texts(const char* name, const std::map<std::string, std::string>& value) { json_[name] = value; }
   void exports(const ExportMemory& memory) {
@@ -269,6 +233,7 @@ class Writer {
     visit_picture(memory.picture, picture);
     Writer drawing(object_at(json, drawing_member));
     visit_drawing(memory.drawing, drawing);
+    if (!memory.folders.empty() || json.contains(folders_member)) json[folders_member] = memory.folders;
     if (memory.cad == CadChoices{}) return;
     Writer cad(object_at(json, cad_member));
     visit_cad(memory.cad, cad);
@@ -292,7 +257,7 @@ fs::path aside(const fs::path& file) {
 std::string settings_text(const Settings& settings) {
   Json json = Json::object();
   Writer writer(json);
-  visit(settings, writer);
+  visit_settings(writer, settings);
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
@@ -301,7 +266,7 @@ Settings settings_of(std::string_view text) {
   const Json json = Json::parse(text, nullptr, false);
   if (!json.is_object()) return settings;
   Reader reader(json);
-  visit(settings, reader);
+  visit_settings(reader, settings);
   return settings;
 }
 
@@ -327,7 +292,7 @@ SettingsFile::Loaded SettingsFile::load() {
   }
   kept_ = *text;
   Reader reader(json);
-  visit(loaded.settings, reader);
+  visit_settings(reader, loaded.settings);
   reader.exports(loaded.exports);
   if (!reader.wrong().empty())
     loaded.problems.push_back(make_warning(
@@ -340,7 +305,7 @@ Result<Done> SettingsFile::save(const Settings& settings, const ExportMemory& ex
   Json json = parsed(kept_);
   if (!json.is_object()) json = Json::object();
   Writer writer(json);
-  visit(settings, writer);
+  visit_settings(writer, settings);
   writer.exports(exports);
   std::error_code unknown;  // a failure shows when the file is written
   fs::create_directories(file_.parent_path(), unknown);

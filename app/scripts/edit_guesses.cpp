@@ -57,7 +57,8 @@ std::vector<WrittenCommand> property_steps(const std::vector<ObjectPair>& object
 std::vector<WrittenCommand> visibility_steps(const std::vector<ObjectPair>& objects) {
   std::vector<std::string> hidden, shown;
   for (const auto& [old, now] : objects)
-    if (old->visible != now->visible) (now->visible ? shown : hidden).push_back(now->name);
+    if (old->visible_itself() != now->visible_itself())
+      (now->visible_itself() ? shown : hidden).push_back(now->name);
   std::vector<WrittenCommand> out;
   if (!shown.empty()) out.push_back({"object.show_all", {written("names", shown)}});
   if (hidden.empty()) return out;

@@ -206,6 +206,10 @@ void ScriptSession::export_pages(const fs::path& path) {
   exchange_.export_pages(path);
 }
 
+void ScriptSession::export_sections(SectionOrder order) {
+  exchange_.export_sections(std::move(order));
+}
+
 void ScriptSession::add_pictures(const std::vector<fs::path>& files) {
   pictures_.add(files);
 }

@@ -72,6 +72,7 @@ class ScriptSession final : private ApplicationServices {
   void export_cad(const std::filesystem::path& path, const CadSettings& settings) override;
   void export_control(const std::filesystem::path& path) override;
   void export_pages(const std::filesystem::path& path) override;
+  void export_sections(SectionOrder order) override;
   void add_pictures(const std::vector<std::filesystem::path>& files) override;
   void pack_pictures(const std::vector<ObjectId>& pictures) override;
   void unpack_picture(ObjectId picture, const std::filesystem::path& file) override;

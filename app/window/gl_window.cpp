@@ -26,6 +26,7 @@ struct GlWindow::State {
   std::vector<KeyPress> keys;
   std::vector<std::filesystem::path> drops;
   std::u32string typed;
+  std::vector<InputEvent> caps;
   bool close = false, redraw = false;
 
   InputQueue queue;
@@ -235,6 +236,11 @@ const std::vector<InputEvent>& GlWindow::input() const {
   return state_->batch;
 }
 
+void GlWindow::queue(std::vector<InputEvent> events) {
+  if (glfwGetWindowAttrib(state_->window, GLFW_FOCUSED) == GLFW_FALSE) return;
+  for (InputEvent& event : events) state_->from_user(std::move(event));
+}
+
 void GlWindow::replay(double now, const std::vector<InputEvent>& batch) {
   state_->replayed_now = now;
   for (const InputEvent& event : batch) state_->queue.push(event);
@@ -276,6 +282,10 @@ void GlWindow::deliver(const InputEvent& event) {
       // The character of a key follows the key directly.
       if (!s.keys.empty() && s.keys.back().text == 0) s.keys.back().text = static_cast<char32_t>(event.code);
       s.typed += static_cast<char32_t>(event.code);
+      break;
+    case Kind::cap:
+    case Kind::cap_button:
+      s.caps.push_back(event);
       break;
     case Kind::focus:
       ImGui_ImplGlfw_WindowFocusCallback(s.window, event.down ? 1 : 0);
@@ -347,6 +357,9 @@ std::vector<std::filesystem::path> GlWindow::take_drops() {
 }
 std::u32string GlWindow::take_typed() {
   return std::exchange(state_->typed, {});
+}
+std::vector<InputEvent> GlWindow::take_caps() {
+  return std::exchange(state_->caps, {});
 }
 void GlWindow::set_fonts(FontRequest request) {
   request.scale = state_->metrics.scale;

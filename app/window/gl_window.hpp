@@ -39,6 +39,9 @@ class GlWindow {
   bool wait(double seconds, bool keys_wait = false);
   /// Batch of input for the next frame.
   const std::vector<InputEvent>& input() const;
+  /// Queues events of a device that the window does not know; passes over them while the window is not in
+  /// front, as other programs hear of them, too.
+  void queue(std::vector<InputEvent> events);
   /// Time of that batch, of the same clock as `now`; without input the present. ImGui's times follow it.
   double input_time() const;
   /// Replaces the user's input and the clock by this input and time, from now on.
@@ -64,6 +67,8 @@ class GlWindow {
   std::vector<std::filesystem::path> take_drops();
   /// Characters that were typed or came from an input method since the last call.
   std::u32string take_typed();
+  /// Motions of a 3D mouse and presses of its buttons since the last call.
+  std::vector<InputEvent> take_caps();
   /// Whether the user asked to close the window since the last call.
   bool take_close();
   void set_title(const std::string& title);

@@ -35,6 +35,7 @@ void InterfaceText::collect_names(const Editor& editor, const Offers& offers) {
   };
   add(editor.title());
   for (const auto& object : editor.document().objects) add(object->name);
+  for (const SavedView& view : *editor.document().saved_views) add(view.name);
   for (const RecentFile& file : offers.recent) add(file.path.string());
   for (const RecoveryOffer& offer : offers.recoveries) add(offer.path.string());
 }

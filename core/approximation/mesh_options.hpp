@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/base/message.hpp"
+#include "core/base/text/enum_words.hpp"
 #include "core/base/vector.hpp"
 
 namespace hariko {
@@ -61,6 +62,11 @@ enum class SplitRule : std::uint8_t {
   /// The edge with the largest integral of the square root of curvature, at half of it; for distances.
   curvature,
 };
+template <>
+inline constexpr auto enum_words<SplitRule> = all_words<SplitRule>({{SplitRule::midpoint, "mid"},
+                                                                    {SplitRule::halving, "halving"},
+                                                                    {SplitRule::gauss, "gauss"},
+                                                                    {SplitRule::curvature, "curvature"}});
 
 /// Mesh from which refinement starts.
 enum class MeshStart : std::uint8_t {
@@ -68,6 +74,9 @@ enum class MeshStart : std::uint8_t {
   /// Square patches cut into cells as long as their curvature allows; for distances, normal and fold angles.
   cells,
 };
+template <>
+inline constexpr auto enum_words<MeshStart> = all_words<MeshStart>({{MeshStart::patches, "patches"},
+                                                                    {MeshStart::cells, "cells"}});
 
 /// Facets that are split along with a facet.
 enum class Propagation : std::uint8_t {

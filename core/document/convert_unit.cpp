@@ -149,6 +149,15 @@ Result<Document> convert_unit(const Document& document, Unit unit) {
     if (!std::all_of(result.dimensions->begin(), result.dimensions->end(), is_sound))
       return make_error(e_nonfinite, "A dimension would lie infinitely far away.", "Choose another unit.");
   }
+  if (!document.saved_views->empty()) {
+    SavedViews views = *document.saved_views;
+    for (SavedView& view : views) {
+      view.target *= factor;
+      view.distance *= factor;
+      if (const auto checked = check_view(view); !checked) return checked.error();
+    }
+    result.saved_views = std::move(views);
+  }
   for (auto& shared : result.objects) {
     Object object = *shared;
     object.transform.translation *= factor;

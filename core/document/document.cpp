@@ -39,7 +39,8 @@ const Object* Document::find(ObjectId id) const {
 bool operator==(const Document& a, const Document& b) {
   const auto same = [](const auto& x, const auto& y) { return x == y || *x == *y; };
   return a.unit == b.unit && a.next_object_id == b.next_object_id && a.kept == b.kept &&
-         a.dimensions == b.dimensions && a.making == b.making &&
+         a.dimensions == b.dimensions && a.groups == b.groups && a.making == b.making &&
+         a.saved_views == b.saved_views &&
          (a.paper == b.paper || (a.paper && b.paper && *a.paper == *b.paper)) &&
          std::equal(a.objects.begin(), a.objects.end(), b.objects.begin(), b.objects.end(), same);
 }

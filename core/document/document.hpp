@@ -10,9 +10,11 @@
 #include "core/base/result.hpp"
 #include "core/document/dimension.hpp"
 #include "core/document/display.hpp"
+#include "core/document/group.hpp"
 #include "core/document/history/shared.hpp"
 #include "core/document/making.hpp"
 #include "core/document/paper_model.hpp"
+#include "core/document/saved_view.hpp"
 #include "core/document/similarity.hpp"
 #include "core/document/source.hpp"
 
@@ -36,14 +38,22 @@ double millimetres_per(Unit unit);
 struct Object {
   ObjectId id;
   std::string name;
-  bool visible = true;
+  bool visible = true;   ///< it is shown: its own switch is on, and that of all groups round it
   bool locked = false;   ///< shown, but edits of its shape, placement and existence are refused (E_LOCKED)
   Similarity transform;  ///< from object space to the document's space
   DisplaySettings display;
   Source source;
   Shared<KeptMembers> kept;
+  GroupId group = {};  ///< group that it lies in; none: it lies in no group
+  // Derived by `with_group_switches`, so that `visible` and `locked` are what counts everywhere: set where
+  // the object is hidden or locked by a group round it alone, and by its own switch it would not be.
+  bool hidden_by_group = false;
+  bool locked_by_group = false;
 
   static constexpr std::size_t max_name_length = 256;
+
+  bool visible_itself() const { return visible || hidden_by_group; }  ///< its own switch
+  bool locked_itself() const { return locked && !locked_by_group; }   ///< its own switch
 
   const PolyhedronSource* polyhedron() const { return std::get_if<PolyhedronSource>(&source); }
   const MeshSource* mesh() const { return std::get_if<MeshSource>(&source); }
@@ -70,19 +80,23 @@ struct Object {
 };
 
 /// Coordinate system: right-handed, z up, the front view looks along +y. Invariants: object ids are unique
-/// and below next_object_id; no pointer of an object is null. A copy shares its objects; an edit replaces the
-/// object it changes. Equal pointers mean equal objects.
+/// and below next_object_id; groups are as `Group` says, and every object's group exists; no pointer of an
+/// object is null. A copy shares its objects; an edit replaces the object it changes. Equal pointers mean
+/// equal objects.
 struct Document {
   Unit unit = Unit::millimetre;
   std::vector<std::shared_ptr<const Object>> objects;
   ObjectId next_object_id{1};
   std::shared_ptr<const PaperModel> paper;  ///< null: there is no paper model
   Shared<Dimensions> dimensions;            ///< in the order in which they were made; ids are unique
+  Shared<Groups> groups;                    ///< ascending ids
+  Shared<SavedViews> saved_views;           ///< in the order in which they were saved; names are unique
   MakingSettings making;                    ///< how the parts are going to be made
   Shared<KeptMembers> kept;
 
   static constexpr std::size_t max_objects = 100000;
   static constexpr std::size_t max_dimensions = 10000;
+  static constexpr std::size_t max_views = 1000;
 
   /// Object with this id, or nullptr. O(objects).
   const Object* find(ObjectId id) const;

@@ -12,6 +12,11 @@ template <>
 inline constexpr auto enum_words<Unit> = all_words<Unit>(
     {{Unit::millimetre, "mm"}, {Unit::centimetre, "cm"}, {Unit::metre, "m"}, {Unit::inch, "in"}});
 template <>
+inline constexpr auto enum_words<Projection> = all_words<Projection>({{Projection::perspective,
+                                                                       "perspective"},
+                                                                      {Projection::parallel, "parallel"},
+                                                                      {Projection::two_point, "two_point"}});
+template <>
 inline constexpr auto enum_words<Axis> = all_words<Axis>({{Axis::x, "x"}, {Axis::y, "y"}, {Axis::z, "z"}});
 /// Elements that files name; `line` is one of messages only.
 template <>

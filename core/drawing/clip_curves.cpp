@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <tuple>
 #include <utility>
 
 namespace hariko {
@@ -25,14 +26,15 @@ HalfSpace from_eye(const DrawingView& view, const Vector3& normal, double offset
 
 std::vector<HalfSpace> visible_space(const DrawingView& view, LineKind kind, double rounding) {
   std::vector<HalfSpace> out;
-  for (const auto& [axis, side] : {std::pair(view.right, view.width), std::pair(view.up, view.height)})
+  for (const auto& [axis, side, ahead] :
+       {std::tuple(view.right, view.width, 0.0), std::tuple(view.up, view.height, view.raise())})
     for (const double sign : {1.0, -1.0}) {
       // Distance from the centre of the page, at a depth of one in perspective.
       const double reach = side / 2 + page_margin;
       if (view.orthographic)
         out.push_back(from_eye(view, sign * view.focal * axis, reach));
       else
-        out.push_back(from_eye(view, sign * view.focal * axis + reach * view.forward, 0));
+        out.push_back(from_eye(view, sign * view.focal * axis + (reach - sign * ahead) * view.forward, 0));
     }
   if (!view.orthographic) out.push_back(from_eye(view, view.forward, -view.near_plane));
   if (view.section && kind != LineKind::section)

@@ -18,12 +18,7 @@ constexpr double join_distance = 1e-3;  ///< relative to a grid edge
 class Contours {
  public:
   using Value = std::function<double(const Vector3& position, const Vector3& normal)>;
-  struct Place {
-    Index patch;
-    Vector2 parameter;
-    Vector3 position;
-    double edge;  ///< length of the grid edge with the point
-  };
+  using Place = SurfacePlace;
   using Line = std::vector<Place>;
 
   /// `noise`: largest rounding error of the function.
@@ -255,18 +250,23 @@ std::vector<SpaceCurve> silhouettes(const SurfaceGrid& grid, const DrawingView& 
   return out;
 }
 
+std::vector<std::vector<SurfacePlace>> plane_places(const SurfaceGrid& grid,
+                                                    const Eigen::Hyperplane<double, 3>& plane, double noise,
+                                                    const CancelToken& cancel) {
+  Contours contours(
+      grid, [&plane](const Vector3& position, const Vector3&) { return plane.signedDistance(position); },
+      noise);
+  return contours.trace(cancel);
+}
+
 std::vector<SpaceCurve> section_lines(const SurfaceGrid& grid, const DrawingView& view,
                                       const CancelToken& cancel) {
   if (!view.section) return {};
   const double noise = 1e-9 * (view.width + view.height) / view.focal;
-  Contours contours(
-      grid,
-      [&view](const Vector3& position, const Vector3&) { return view.section->signedDistance(position); },
-      noise);
   std::vector<SpaceCurve> out;
-  for (const Contours::Line& line : contours.trace(cancel)) {
+  for (const std::vector<SurfacePlace>& line : plane_places(grid, *view.section, noise, cancel)) {
     SpaceCurve curve{LineKind::section, {}, {}};
-    for (const Contours::Place& place : line) {
+    for (const SurfacePlace& place : line) {
       curve.points.push_back(place.position);
       // Section lines are seen from the side that is cut away.
       curve.away.push_back(view.section->normal());

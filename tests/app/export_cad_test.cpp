@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
+
 #include "app/files/export_surfaces.hpp"
 #include "app/files/left_out.hpp"
 #include "core/document/edits/edit_objects.hpp"
@@ -52,6 +54,38 @@ TEST(ExportCad, WhatWasCountedIsWritten) {
   EXPECT_EQ(after.exact, before.exact);
   EXPECT_EQ(after.distance, before.distance);
   EXPECT_EQ(after.normal_jump, before.normal_jump);
+}
+
+TEST(ExportCad, FarFromZeroIsWrittenRoundZeroOrRefused) {
+  if (why_no_cad_files()) return;
+  const test::TemporaryFolder folder;
+  Similarity far;
+  far.translation = {1e9, -1e9, 1e9};
+  const Document document = set_transform(torus(), ObjectId{1}, far).value();
+  CadChoices choices{tolerance};
+  const std::string time = "2026-11-22T12:00:00";
+  const auto there = export_cad(document, folder.path() / "there.step", choices, time);
+  if (there.ok()) {
+    EXPECT_TRUE(there->file.valid) << "a broken shape is no file with a warning";
+  } else {
+    EXPECT_EQ(std::string(there.error().code.name), "E_FILE_DIGITS");
+    EXPECT_NE(there.error().remedy.find("--origin zero"), std::string::npos);
+    EXPECT_FALSE(std::filesystem::exists(folder.path() / "there.step"));
+  }
+  choices.to_zero = true;
+  const auto zero = export_cad(document, folder.path() / "zero.step", choices, time);
+  ASSERT_TRUE(zero.ok()) << to_string(zero.error());
+  EXPECT_TRUE(zero->file.valid);
+  EXPECT_TRUE(zero->objects[0].closed);
+  EXPECT_EQ(zero->objects[0].unreached, 0U);
+  EXPECT_LT((zero->moved - far.translation).norm(), 10);
+  const auto near = export_cad(torus(), folder.path() / "near.step", choices, time);
+  ASSERT_TRUE(near.ok()) << to_string(near.error());
+  EXPECT_EQ(near->objects[0].faces, zero->objects[0].faces);
+  choices.unit = Unit::metre;
+  const auto metres = export_cad(document, folder.path() / "metres.step", choices, time);
+  ASSERT_TRUE(metres.ok()) << to_string(metres.error());
+  EXPECT_NEAR(metres->moved.x(), 1e6, 0.01);
 }
 
 TEST(ExportCad, LengthsAreThoseOfTheFile) {

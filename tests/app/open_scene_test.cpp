@@ -3,9 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
 
 #include "app/files/model_facets.hpp"
 #include "app/files/open_file.hpp"
+#include "core/base/files/file_io.hpp"
 #include "core/document/convert_unit.hpp"
 #include "core/exchange/mesh_file.hpp"
 #include "tests/support/random_polyhedra.hpp"
@@ -127,6 +129,43 @@ TEST(OpenScene, AnUnknownEndingIsNoReasonToRefuseAMesh) {
     ASSERT_TRUE(opened.document) << name;
     EXPECT_EQ(opened.document->objects.size(), 1U);
   }
+}
+
+TEST(OpenScene, LayoutsFarFromZeroGetAPlace) {
+  const test::TemporaryFolder folder;
+  const auto opened = [&](const std::string& name, const std::string& text) {
+    EXPECT_TRUE(write_file_atomic(folder.path() / name, text).ok());
+    OpenedFile file = open_file(folder.path() / name);
+    EXPECT_TRUE(file.document.has_value()) << (file.error() ? to_string(*file.error()) : "");
+    return file.document ? file.document->objects.at(0) : std::shared_ptr<const Object>();
+  };
+  const auto scene = opened("scene.json", R"({"primitives": [
+    {"type": "box", "position": [1000000.125, 3, 0]}, {"type": "sphere", "position": [1000001.25, 3, 0]}]})");
+  ASSERT_TRUE(scene);
+  EXPECT_NEAR(scene->transform.translation.x(), 1e6, 10);
+  EXPECT_EQ(scene->transform.translation.tail<2>(), Vector2::Zero());
+  ASSERT_TRUE(scene->solids());
+  for (const std::size_t k : {0U, 1U}) {
+    const Vector3 position = scene->solids()->input->solids.at(k).position;
+    EXPECT_LT(std::abs(position.x()), 10);
+    EXPECT_EQ(scene->transform.apply(position), Vector3(k == 0 ? 1000000.125 : 1000001.25, 3, 0));
+  }
+  const auto near = opened("near.json", R"({"primitives": [{"type": "box", "position": [100, 3, 0]}]})");
+  ASSERT_TRUE(near);
+  EXPECT_EQ(near->transform, Similarity());
+  const auto skin =
+      opened("skin.json", R"({"origin": [10, 20, 30], "path": {"points": [[0, 0, 0], [0, 0, 2]]},
+    "sections": [{"v": 0, "closed": true, "points": [[1, 0, 0], [0, 1, 0], [-1, -1, 0]]},
+                 {"v": 1, "closed": true, "points": [[1, 0, 2], [0, 1, 2], [-1, -1, 2]]}]})");
+  ASSERT_TRUE(skin);
+  EXPECT_EQ(skin->transform.translation, Vector3(10, 20, 30));
+  const auto outline = opened("outline.json", R"({"origin": [0, 0, 1000000000], "loops": [
+    {"points": [[1000000001, 0, 0], [1000000000, 1, 0], [999999999, 0, 0]],
+     "normals": [[1, 0, 1], [0, 1, 1], [-1, 0, 1]]}]})");
+  ASSERT_TRUE(outline);
+  EXPECT_EQ(outline->transform.translation, Vector3(1e9, 0, 1e9));
+  ASSERT_TRUE(outline->outline());
+  EXPECT_EQ(outline->outline()->outline->loops[0].points[2], Vector3(-1, 0, 0));
 }
 
 }  // namespace

@@ -44,6 +44,7 @@ const std::map<std::string, Names>& core_arrows() {
         "gaussmap", "patching", "network", "polyhedron", "surface", "geometry", "base"}},
       {"analysis", {"analysis", "patching", "network", "polyhedron", "surface", "geometry", "base"}},
       {"approximation", {"approximation", "surface", "geometry", "base"}},
+      {"offset", {"offset", "analysis", "surface", "geometry", "base"}},
       {"cad", {"cad", "polyhedron", "surface", "geometry", "base"}},
       {"exchange",
        {"exchange", "subdivision", "patching", "network", "polyhedron", "surface", "geometry", "base"}},

@@ -76,7 +76,8 @@ TEST_F(SkinCommands, FarFromZeroIsAsPreciseAsAtZero) {
     for (const Json& miss : object["skin"]["section_miss"]) EXPECT_LT(miss.get<double>(), 1e-6);
     const Outcome evaluated = run("evaluate " + path("a.json"));
     ASSERT_EQ(evaluated.exit_code, 0) << evaluated.error;
-    EXPECT_NEAR(evaluated.json()["control"]["points"][0][2].get<double>(), place, 100);
+    // Object space: what is far from zero gets a place for its object.
+    EXPECT_NEAR(evaluated.json()["control"]["points"][0][2].get<double>(), place > 1e5 ? 0 : place, 100);
     ASSERT_EQ(run("export --control " + path("a.json") + " " + path("a.obj")).exit_code, 0);
     std::istringstream control(read_text(path("a.obj")));
     double x = 0, y = 0, z = 0;

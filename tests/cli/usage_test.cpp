@@ -15,7 +15,7 @@ TEST_F(Usage, HelpAndVersion) {
   EXPECT_EQ(help.exit_code, 0);
   for (const char* word : {"info", "export", "render", "evaluate", "unfold", "run", "Exit codes"})
     EXPECT_NE(help.out.find(word), std::string::npos) << word;
-  for (const std::string command : {"info", "export", "render", "evaluate", "unfold", "run"}) {
+  for (const std::string command : {"info", "export", "render", "sections", "evaluate", "unfold", "run"}) {
     const Outcome own = run(command + " --help");
     EXPECT_EQ(own.exit_code, 0) << command;
     EXPECT_NE(own.out.find("FILE"), std::string::npos) << command;
@@ -192,7 +192,8 @@ TEST_F(Usage, HelpNamesAllThatIsDocumented) {
 
 TEST_F(Usage, AllThatHelpNamesIsDocumented) {
   const Names documented = options_in(read_text(source_folder() + "/docs/cli.md"));
-  for (const std::string command : {"", "info", "export", "render", "mesh", "evaluate", "unfold", "run"})
+  for (const std::string command :
+       {"", "info", "export", "render", "mesh", "sections", "evaluate", "unfold", "run"})
     for (const std::string& option : options_in(run(command + " --help").out))
       EXPECT_TRUE(documented.contains(option)) << "docs/cli.md does not name " << option << " of " << command;
 }

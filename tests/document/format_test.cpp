@@ -415,12 +415,31 @@ TEST(Format, FixtureOfVersion7ReadsForEver) {
   EXPECT_EQ(write_document(*read), as_written_now(text, 7));
 }
 
+TEST(Format, FixtureOfVersion8ReadsForEver) {
+  const std::string text = file_text("tests/document/fixtures/v8.hariko");
+  const Result<Document> read = read_document(text);
+  ASSERT_TRUE(read) << message_of(read);
+  ASSERT_EQ(read->groups->size(), 2U);
+  const Group& inner = (*read->groups)[1];
+  EXPECT_EQ(inner.name, "Tools");
+  EXPECT_EQ(inner.parent, GroupId{1});
+  EXPECT_TRUE(!inner.visible && inner.locked && inner.colour);
+  // The second object lies in the hidden group, and keeps its own switches.
+  const Object& solids = *read->objects[1];
+  EXPECT_EQ(solids.group, GroupId{2});
+  EXPECT_TRUE(!solids.visible && solids.locked);
+  EXPECT_TRUE(solids.visible_itself() && !solids.locked_itself());
+  ASSERT_EQ(read->saved_views->size(), 1U);
+  EXPECT_EQ((*read->saved_views)[0].name, "Three quarters");
+  EXPECT_EQ(write_document(*read), text);
+}
+
 /// Kinds that the fixtures of versions have not, with every member unlike its default.
 TEST(Format, EveryMemberOfTheOtherKindsHasItsPlaceInTheText) {
   const std::string text = file_text("tests/document/fixtures/v7_kinds.hariko");
   const Result<Document> read = read_document(text);
   ASSERT_TRUE(read) << message_of(read);
-  EXPECT_EQ(write_document(*read), text);
+  EXPECT_EQ(write_document(*read), as_written_now(text, 7));
   ASSERT_EQ(read->objects.size(), 4U);
   for (const auto& object : read->objects) EXPECT_EQ(*object->kept, (KeptMembers{{"note", "[ 1,2 ]"}}));
   EXPECT_EQ(*read->objects[0]->patches()->kept, (KeptMembers{{"later", "true"}}));
@@ -547,7 +566,7 @@ TEST(Format, OnlyEssentialsAreNeeded) {
 TEST(Format, EmptyDocument) {
   EXPECT_EQ(
       write_document({}),
-      "{\n  \"format\": \"hariko\",\n  \"version\": 7,\n  \"unit\": \"mm\",\n  \"next_object_id\": 1,\n  "
+      "{\n  \"format\": \"hariko\",\n  \"version\": 8,\n  \"unit\": \"mm\",\n  \"next_object_id\": 1,\n  "
       "\"objects\": []\n}\n");
 }
 

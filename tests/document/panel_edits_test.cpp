@@ -28,13 +28,14 @@ std::vector<std::uint32_t> order_of(const Document& document) {
   return ids;
 }
 
-TEST(ReorderObjects, puts_objects_before_a_place) {
+TEST(MoveMembers, puts_objects_before_a_place) {
   const Document document = row_of(5);
   const auto ids = order_of(document);
   const auto reordered = [&](std::vector<std::size_t> moved, std::size_t place) {
-    std::vector<ObjectId> objects;
+    std::vector<Member> objects;
     for (const std::size_t i : moved) objects.push_back(ObjectId{ids[i]});
-    return order_of(reorder_objects(document, objects, place).value());
+    const auto before = place < ids.size() ? std::optional<Member>(ObjectId{ids[place]}) : std::nullopt;
+    return order_of(move_members(document, objects, {{}, before}).value());
   };
   using Order = std::vector<std::uint32_t>;
   EXPECT_EQ(reordered({0}, 2), (Order{ids[1], ids[0], ids[2], ids[3], ids[4]}));
@@ -44,8 +45,8 @@ TEST(ReorderObjects, puts_objects_before_a_place) {
   EXPECT_EQ(reordered({1}, 1), ids);
   EXPECT_EQ(reordered({1}, 2), ids);
   EXPECT_EQ(reordered({}, 3), ids);
-  const ObjectId unknown{12345};
-  EXPECT_EQ(reorder_objects(document, {&unknown, 1}, 0).error().code.name, e_unknown_object.name);
+  const Member unknown = ObjectId{12345};
+  EXPECT_EQ(move_members(document, {&unknown, 1}, {}).error().code.name, e_unknown_object.name);
 }
 
 TEST(SetTensions, many_at_once_equal_one_after_the_other) {

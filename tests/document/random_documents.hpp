@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/document/document.hpp"
+#include "core/document/edits/edit_groups.hpp"
 #include "tests/document/random_sources.hpp"
 #include "tests/support/random.hpp"
 #include "tests/support/random_polyhedra.hpp"
@@ -286,6 +287,21 @@ inline Dimensions any_dimensions(std::mt19937_64& rng) {
   return out;
 }
 
+inline SavedViews any_views(std::mt19937_64& rng) {
+  SavedViews out(static_cast<std::size_t>(uniform_int(rng, 1, 4)));
+  for (std::size_t i = 0; i < out.size(); ++i) {
+    SavedView& view = out[i];
+    view.name = "View " + std::to_string(i);
+    view.target = any_vector(rng);
+    view.orientation =
+        Eigen::Quaterniond(uniform(rng, -1, 1), uniform(rng, -1, 1), uniform(rng, -1, 1), 1.1).normalized();
+    view.distance = log_uniform(rng, 1e-6, 1e6);
+    view.projection = static_cast<Projection>(uniform_int(rng, 0, 2));
+    view.focal_length = uniform(rng, SavedView::least_focal_length, SavedView::greatest_focal_length);
+  }
+  return out;
+}
+
 inline MakingSettings any_making(std::mt19937_64& rng) {
   MakingSettings out;
   out.pull = Vector3(uniform(rng, -1, 1), uniform(rng, -1, 1), uniform(rng, 0.1, 1));
@@ -294,6 +310,21 @@ inline MakingSettings any_making(std::mt19937_64& rng) {
   out.thickness = log_uniform(rng, 1e-6, 1e6);
   if (chance(rng, 0.5)) out.reference.value = static_cast<std::uint32_t>(uniform_int(rng, 0, 9));
   return out;
+}
+
+/// Groups of some of the objects, with every field set; what is locked or too deep stays as it is.
+inline Document with_any_groups(std::mt19937_64& rng, Document document) {
+  for (int i = uniform_int(rng, 1, 4); i > 0; --i) {
+    std::vector<ObjectId> objects;
+    for (const auto& object : document.objects)
+      if (chance(rng, 0.5)) objects.push_back(object->id);
+    const auto made = make_group(document, objects, any_name(rng));
+    if (!made) continue;
+    document = set_group_visible(made->document, made->id, chance(rng, 0.5)).value();
+    document = set_group_locked(document, made->id, chance(rng, 0.2)).value();
+    if (chance(rng, 0.5)) document = set_group_colour(document, made->id, Colour{1, 20, 255}).value();
+  }
+  return document;
 }
 
 inline Document any_document(std::mt19937_64& rng) {
@@ -307,8 +338,10 @@ inline Document any_document(std::mt19937_64& rng) {
   if (chance(rng, 0.3)) std::reverse(document.objects.begin(), document.objects.end());
   document.kept = any_kept(rng);
   if (chance(rng, 0.5)) document.dimensions = any_dimensions(rng);
+  if (chance(rng, 0.3)) document.saved_views = any_views(rng);
   if (chance(rng, 0.3)) document.making = any_making(rng);
   if (chance(rng, 0.5)) document.paper = std::make_shared<const PaperModel>(any_paper(rng));
+  if (chance(rng, 0.4)) return with_any_groups(rng, std::move(document));
   return document;
 }
 

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+
 namespace hariko {
 namespace {
 
@@ -28,6 +30,7 @@ TEST(Words, LeadThereAndBack) {
   EXPECT_EQ(enum_word(ColumnParameters::per_section), "per-section");
   EXPECT_EQ(enum_value<EnvelopeMethod>("network"), EnvelopeMethod::network);
   EXPECT_EQ(enum_value<Unit>("in"), Unit::inch);
+  EXPECT_EQ(enum_values<Unit>(), (std::array{Unit::millimetre, Unit::centimetre, Unit::metre, Unit::inch}));
 }
 
 }  // namespace

@@ -6,7 +6,7 @@ import subprocess
 import sys
 
 PROGRAM, DESKTOP = sys.argv[1:3]
-COMMANDS = ["info", "export", "render", "mesh", "evaluate", "unfold", "run"]
+COMMANDS = ["info", "export", "render", "mesh", "sections", "evaluate", "unfold", "run"]
 
 
 def help_of(*command):

@@ -94,6 +94,15 @@ inline Spread spread_round(const HalfEdgeMesh& mesh, const VertexFrames& frames,
         frames.kind[v] == FrameKind::smooth || (straight_too && frames.kind[v] == FrameKind::straight);
     if (!plain) continue;
     double low = std::numeric_limits<double>::infinity(), high = -low, gauss_low = low, gauss_high = -low;
+    // Corners of nearly a half turn open by their sine only, and what is near is so much nearer there.
+    double opening = 1;
+    for (Index k = mesh.outgoing(v), first = k;;) {
+      const FaceChart& chart = *set.atlas()->chart[mesh.face(k)];
+      if (!chart.straight(set.atlas()->side[k]))
+        opening = std::min(opening, 2 * std::sin(chart.corner(set.atlas()->side[k]).angle));
+      k = mesh.rotate(k);
+      if (k == no_index || k == first) break;
+    }
     Index h = mesh.outgoing(v);
     do {
       const Index f = mesh.face(h);
@@ -117,8 +126,8 @@ inline Spread spread_round(const HalfEdgeMesh& mesh, const VertexFrames& frames,
           beta = std::sin(angle) / (shape.in * std::sin(d));
           alpha = (std::cos(angle) - shape.in * beta * std::cos(d)) / shape.out;
         }
-        const auto k =
-            curvature(set.evaluate_chart(f, at + radius * (alpha * forward + beta * back), Order::second));
+        const auto k = curvature(
+            set.evaluate_chart(f, at + opening * radius * (alpha * forward + beta * back), Order::second));
         if (!k) continue;
         low = std::min(low, k->mean);
         high = std::max(high, k->mean);

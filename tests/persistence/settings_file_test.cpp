@@ -50,6 +50,7 @@ ExportMemory exports() {
   memory.cad = {1e-4, 0.002, CadQuality::fine, true, true, Unit::metre, 2.5, true};
   memory.picture = {PictureSettings::Size::custom, {640, 480}, true, false, true, false, 12, false};
   memory.drawing = {99.5, false, true};
+  memory.folders = {{"import", "/models"}, {"cad", "/out"}};
   return memory;
 }
 
@@ -76,12 +77,13 @@ TEST_F(SettingsFileTest, WrongValuesHaveTheirDefaultsAndAreNamed) {
   fs::create_directories(path_.parent_path());
   test::spill(path_, R"({"theme": "pink", "autosave_seconds": 1000, "trackball": 1, "orbit_speed": "fast",
                          "keys": {"edit.undo": 3, "edit.redo": "F8"}, "zoom_speed": 2,
-                         "exports": {"stl": {"scale": -1, "density": 9}, "xyz": {"scale": -1}, "cad": 3}})");
+                         "exports": {"stl": {"scale": -1, "density": 9}, "xyz": {"scale": -1}, "cad": 3,
+                                     "folders": {"import": 4, "pages": "/paper"}}})");
   const auto loaded = load();
   ASSERT_EQ(loaded.problems.size(), 1U);
   EXPECT_EQ(loaded.problems[0].code, w_settings_value);
   for (const char* name : {"theme", "autosave_seconds", "trackball", "orbit_speed", "keys.edit.undo",
-                           "exports.stl.scale", "exports.cad"})
+                           "exports.stl.scale", "exports.cad", "exports.folders.import"})
     EXPECT_NE(loaded.problems[0].text.find(name), std::string::npos) << name;
   Settings expected;
   expected.zoom_speed = 2;
@@ -89,6 +91,7 @@ TEST_F(SettingsFileTest, WrongValuesHaveTheirDefaultsAndAreNamed) {
   EXPECT_EQ(loaded.settings, expected);
   ExportMemory exports;
   exports.formats[".stl"].density = 9;
+  exports.folders = {{"pages", "/paper"}};
   EXPECT_EQ(loaded.exports, exports);
 }
 
@@ -126,6 +129,7 @@ TEST_F(SettingsFileTest, MembersOfALaterVersionAreKept) {
   ExportMemory kept = exports();
   kept.picture = {};
   kept.drawing = {};
+  kept.folders = {};
   EXPECT_EQ(load().exports, kept) << "formats that were not chosen again";
 }
 

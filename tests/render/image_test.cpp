@@ -4,9 +4,12 @@
 
 #include <filesystem>
 #include <fstream>
+#include <numbers>
+#include <optional>
 
 #include "core/base/files/file_io.hpp"
 #include "render/legend.hpp"
+#include "render/text_painter.hpp"
 #include "tests/support/random.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -95,6 +98,44 @@ TEST(Legend, BarRunsFromLowToHigh) {
     EXPECT_NEAR(image.pixel(31, y)[2], wanted.b * 255, 4) << fraction;
   };
   for (const double fraction : {0.1, 0.3, 0.5, 0.7, 0.9}) expect_at(fraction);
+}
+
+/// Pixels right of the bar, where the numbers stand, that are neither panel nor background.
+int ink_of_numbers(const Image& image) {
+  int ink = 0;
+  for (int y = 165; y < 385; ++y)
+    for (int x = 50; x < 120; ++x) ink += image.pixel(x, y)[0] > 150 ? 1 : 0;
+  return ink;
+}
+
+/// Pictures of machines without fonts had legends without numbers.
+TEST(Legend, HasNumbersAndTitleWithoutAnyFont) {
+  const Legend legend{SurfaceMap::mean, {-2, 2}, "1/mm\u00b2", {}, true, 1};
+  for (const std::optional<FontFile>& font :
+       {std::optional<FontFile>(), std::optional(FontFile{"/nowhere.ttf", 0, ""}), font_files().text}) {
+    Image image(400, 400);
+    paint_legend(image, legend, font);
+    EXPECT_GT(ink_of_numbers(image), 60) << (font ? font->path : "none");
+  }
+}
+
+/// The picture of a text is turned with it.
+TEST(TextPainter, TurnsLettersOfDots) {
+  const auto ink = [](double angle) {
+    Image image(200, 200);
+    TextPainter painter{std::optional<FontFile>()};
+    painter.paint_turned(image, "F1", {100, 100}, angle, 60, 43, {1, 1, 1, 1});
+    return image;
+  };
+  const Image level = ink(0), quarter = ink(std::numbers::pi / 2);
+  int marks = 0;
+  for (int y = 1; y < 199; ++y)
+    for (int x = 1; x < 199; ++x) {
+      marks += level.pixel(x, y)[3] > 0 ? 1 : 0;
+      // Counter-clockwise, about the middle between the pixels 99 and 100.
+      EXPECT_NEAR(level.pixel(x, y)[3], quarter.pixel(y, 199 - x)[3], 40) << x << ' ' << y;
+    }
+  EXPECT_GT(marks, 500);
 }
 
 TEST(Legend, FitsTinyPictures) {

@@ -382,6 +382,10 @@ TEST(Dialogs, FitNarrowWindowsInBothLanguages) {
       for (int i = 0; i < 6; ++i) bench.frame();
       const auto& marks = bench.workbench().marks().all();
       ASSERT_TRUE(marks.contains("dialog.accept"));
+      // With little room the settings stand in place of the list, and scroll.
+      const bool folded = marks.contains("dialog.settings");
+      if (folded) bench.click("dialog.settings");
+      for (int i = 0; i < 3; ++i) bench.frame();
       const Marks::Rect accept = marks.at("dialog.accept");
       const int right = accept.x + accept.width;
       int fields = 0;
@@ -390,7 +394,7 @@ TEST(Dialogs, FitNarrowWindowsInBothLanguages) {
           continue;
         ++fields;
         EXPECT_LE(rect.x + rect.width, right + 1) << mark;
-        EXPECT_LE(rect.y + rect.height, accept.y) << mark;
+        if (!folded) EXPECT_LE(rect.y + rect.height, accept.y) << mark;
       }
       EXPECT_GE(fields, 2);
       EXPECT_LE(accept.y + accept.height, 600);

@@ -54,6 +54,10 @@ class FileHands : public ::testing::Test {
     std::vector<fs::path> files;
   };
   Imports imports_;
+  /// Frames in which a dialog that has changed its size comes to rest.
+  void frames() {
+    for (int i = 0; i < 4; ++i) bench_.frame();
+  }
   HeadlessWorkbench bench_;
 };
 
@@ -114,6 +118,73 @@ TEST_F(FileHands, AFolderCanBeMadeAndLeft) {
   EXPECT_GT(top("a2.obj"), 0);
   EXPECT_GT(top("drafts"), 0);
   EXPECT_TRUE(marks().contains("dialog.place.root"));
+}
+
+/// At 250 % in a small window the settings left no room for the list.
+TEST_F(FileHands, FilesShowAtEveryScale) {
+  std::ofstream(folder_.path() / "model.hariko") << "{}";
+  bench_.key("Esc");
+  frames();
+  ImGui::GetIO().DisplaySize = {800, 600};
+  for (const float scale : {1.0F, 1.5F, 2.5F})
+    for (const char* id :
+         {"file.open", "file.import", "file.export", "file.export_picture", "file.save_as"}) {
+      SCOPED_TRACE(id + std::string(" at ") + std::to_string(scale));
+      bench_.set_scale(scale);
+      ASSERT_TRUE(bench_.workbench().commands().run(id).ran);
+      frames();
+      ASSERT_TRUE(marks().contains("dialog.files"));
+      const Marks::Rect list = marks().at("dialog.files"), accept = marks().at("dialog.accept");
+      EXPECT_GE(float(list.height), 3 * ImGui::GetTextLineHeightWithSpacing());
+      EXPECT_LE(list.y + list.height, accept.y);
+      EXPECT_LE(accept.y + accept.height, 600);
+      ASSERT_TRUE(marks().contains("entry.sub"));
+      const Marks::Rect entry = marks().at("entry.sub");
+      EXPECT_GE(entry.y, list.y);
+      EXPECT_LE(entry.y + entry.height, list.y + list.height);
+      if (id != std::string("file.save_as")) {
+        const bool folded = marks().contains("dialog.settings");
+        EXPECT_EQ(folded, !marks().contains("dialog.format"));
+        if (scale > 2) EXPECT_TRUE(folded);
+        if (folded) click("dialog.settings");
+        ASSERT_TRUE(marks().contains("dialog.format"));
+        if (folded) EXPECT_FALSE(marks().contains("entry.sub"));
+        if (folded) click("dialog.settings");
+        EXPECT_TRUE(marks().contains("entry.sub")) << "back to the list";
+      }
+      bench_.key("Esc");
+      frames();
+      ASSERT_FALSE(marks().contains("dialog.files"));
+    }
+}
+
+/// It began in the folder of the document.
+TEST_F(FileHands, TheNextImportBeginsInTheFolderOfTheLast) {
+  write(folder_.path() / "sub" / "deep.obj", 3, 1);
+  bench_.type("sub/deep.obj");
+  bench_.tap("Enter");
+  frames();
+  ASSERT_EQ(imports_.files.size(), 1U);
+  bench_.workbench().commands().run("file.import");
+  frames();
+  EXPECT_GT(top("deep.obj"), 0);
+  EXPECT_EQ(top("a2.obj"), -1);
+  bench_.key("Esc");
+  frames();
+  // Other kinds of files have their own.
+  bench_.workbench().commands().run("file.export");
+  frames();
+  EXPECT_GT(top("a2.obj"), 0);
+  EXPECT_EQ(top("deep.obj"), -1);
+  bench_.key("Esc");
+  frames();
+  // The next session begins there too, unless the folder is gone.
+  const ExportMemory memory = bench_.workbench().files().remembered();
+  EXPECT_EQ(fs::path(memory.folders.at("import")).filename(), "sub");
+  fs::remove_all(folder_.path() / "sub");
+  bench_.workbench().commands().run("file.import");
+  frames();
+  EXPECT_GT(top("a2.obj"), 0);
 }
 
 TEST_F(FileHands, NamesInOtherScriptsAreTakenUpForTheFonts) {

@@ -9,9 +9,9 @@
 #include <regex>
 #include <sstream>
 
+#include "render/font_files.hpp"
 #include "tests/support/places.hpp"
 #include "tests/support/temporary_folder.hpp"
-#include "ui/base/font_files.hpp"
 #include "ui/base/icons.hpp"
 #include "ui/base/language.hpp"
 

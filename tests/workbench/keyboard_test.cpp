@@ -8,7 +8,9 @@
 #include "core/document/edits/edits.hpp"
 #include "tests/support/random_polyhedra.hpp"
 #include "tests/workbench/headless_workbench.hpp"
+#include "ui/base/settings_members.hpp"
 #include "ui/editor/command_search.hpp"
+#include "ui/shell/preference_rows.hpp"
 
 namespace hariko {
 namespace {
@@ -113,6 +115,41 @@ TEST_F(Keyboard, PreferencesStayInsideOfTheWindowAtEveryScale) {
   }
 }
 
+/// Visitor of settings.
+struct MemberNames {
+  template <class Value>
+  void choice(const char* name, const Value&) {
+    all.insert(name);
+  }
+  template <class Value>
+  void texts(const char* name, const Value&) {
+    all.insert(name);
+  }
+  void flag(const char* name, bool) { all.insert(name); }
+  void number(const char* name, double, double, double) { all.insert(name); }
+  std::set<std::string> all;
+};
+
+/// The rows are data, and name the members as the file of the settings does.
+TEST_F(Keyboard, EveryRowOfThePreferencesShowsAMemberOfTheSettings) {
+  MemberNames names;
+  visit_settings(names, editor().settings);
+  for (const PreferenceRow& row : preference_rows())
+    EXPECT_TRUE(names.all.contains(row.member)) << row.member;
+}
+
+TEST_F(Keyboard, APageOfThePreferencesIsResetAlone) {
+  Settings& settings = editor().settings;
+  settings.trackball = settings.colour_blind_maps = true;
+  settings.orbit_speed = 3;
+  settings.unit = Unit::inch;
+  reset_preferences(settings, Preferences::Page::navigation);
+  EXPECT_FALSE(settings.trackball);
+  EXPECT_EQ(settings.orbit_speed, 1);
+  EXPECT_TRUE(settings.colour_blind_maps);
+  EXPECT_EQ(settings.unit, Unit::inch);
+}
+
 /// At 250 % in a small window the way back to another scale was out of reach.
 TEST_F(Keyboard, PreferencesCanBeReachedAtEveryScale) {
   bench_.workbench().commands().run("edit.preferences");
@@ -123,7 +160,7 @@ TEST_F(Keyboard, PreferencesCanBeReachedAtEveryScale) {
     frames();
     for (const auto& [page, fields] :
          {std::pair("interface", std::set<std::string>{"theme.dark", "scale.100", "scale.250"}),
-          {"navigation", {"navigation.Rhino", "turntable", "orbit_speed"}}}) {
+          {"navigation", {"navigation.rhino", "turntable", "orbit_speed"}}}) {
       SCOPED_TRACE(page);
       bench_.click(std::string("preferences.page.") + page);
       frames();

@@ -51,7 +51,8 @@ std::string noticed(HeadlessWorkbench& bench) {
       << bench.workbench().viewport().scene().version() << ' ' << int(editor.mode) << ' '
       << editor.notices().size() << ' ' << bench.workbench().status() << ' '
       << (bench.workbench().question() != nullptr) << bench.workbench().viewport().tool_active()
-      << editor.has_document << ' ' << int(editor.settings.language) << ' ';
+      << editor.has_document << ' ' << int(editor.settings.language) << ' ' << editor.camera().field_of_view
+      << ' ';
   for (const auto& [object, elements] : editor.selection.elements())
     out << object.value << ':' << elements.vertices.size() << ',' << elements.edges.size() << ','
         << elements.faces.size() << ' ';
@@ -76,7 +77,12 @@ bool may_be_quiet(const Command& command) {
                                            "view.frame_all_views",
                                            "view.iso",
                                            "view.keep_probe",
+                                           "view.go",
+                                           "view.next_saved",
+                                           "view.previous_saved",
+                                           "view.update",
                                            "view.frame_times",
+                                           "analyse.section_spread",
                                            "paper.unfold",
                                            "plane.look",
                                            "recompute.now",

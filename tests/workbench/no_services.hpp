@@ -27,6 +27,7 @@ class NoServices : public ApplicationServices {
   void cancel_count() override {}
   void export_pictures(PictureOrder) override {}
   void export_drawing(DrawingOrder) override {}
+  void export_sections(SectionOrder) override {}
   void export_control(const std::filesystem::path&) override {}
   void export_pages(const std::filesystem::path&) override {}
   void add_pictures(const std::vector<std::filesystem::path>&) override {}

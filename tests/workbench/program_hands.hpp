@@ -182,6 +182,7 @@ class ProgramHands : private NoServices {
   }
   void cancel_count() override { exchange_.cancel_count(); }
   void export_pages(const std::filesystem::path& path) override { exchange_.export_pages(path); }
+  void export_sections(SectionOrder order) override { exchange_.export_sections(std::move(order)); }
   void export_cad(const std::filesystem::path& path, const CadSettings&) override { exported_ = path; }
   void convert(ObjectId object) override { conversions_.convert(object); }
 

@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
 #include "core/document/edits/edits.hpp"
 #include "ui/editor/command_host.hpp"
+#include "ui/widgets/enum_labels.hpp"
 
 namespace hariko {
 
@@ -243,23 +245,10 @@ void wear(Editor& editor, Material material) {
 
 void add_materials(CommandHost& host) {
   const WhyNot why_not = needs_shown_surface(host.editor);
-  struct Entry {
-    const char *id, *label;
-    Material material;
-  };
-  static constexpr std::array<Entry, material_count> entries{{
-      {"material.clay", "Clay", Material::clay},
-      {"material.porcelain", "Porcelain", Material::porcelain},
-      {"material.metal", "Metal", Material::metal},
-      {"material.wax", "Wax", Material::wax},
-      {"material.rubber", "Rubber", Material::rubber},
-      {"material.plastic", "Plastic", Material::plastic},
-  }};
-  for (const Entry& entry : entries) {
-    const Material material = entry.material;
-    host.table.add({.id = entry.id,
+  for (const Material material : enum_values<Material>()) {
+    host.table.add({.id = "material." + std::string(enum_word(material)),
                     .menu = "View/Material",
-                    .label = entry.label,
+                    .label = enum_choice(material).label,
                     .help = "Show the surface in this material.",
                     .changes_document = true,
                     .while_tool_runs = true,

@@ -10,7 +10,8 @@
 
 #include "core/document/edits/edits.hpp"
 #include "ui/analysis/making_rows.hpp"
-#include "ui/widgets/choice.hpp"
+#include "ui/analysis/section_curve_rows.hpp"
+#include "ui/widgets/enum_labels.hpp"
 #include "ui/widgets/tips.hpp"
 #include "ui/widgets/value_fields.hpp"
 
@@ -18,52 +19,6 @@ namespace hariko {
 
 namespace {
 
-constexpr std::array map_choices{
-    Choice{
-        translatable("As the view"),
-        translatable("The map that the menu Analyse shows on all surfaces, or a material in studio light")},
-    Choice{translatable("Patches"), translatable("One colour for each patch")},
-    Choice{translatable("Zebra"),
-           translatable("Reflected stripes: a kink in a stripe shows a jump of curvature")},
-    Choice{translatable("Gaussian curvature"),
-           translatable("Product of the principal curvatures: red dome, blue saddle")},
-    Choice{translatable("Mean curvature"), translatable("Mean of the principal curvatures")},
-    Choice{translatable("Greatest curvature"), translatable("The larger principal curvature k1")},
-    Choice{translatable("Least curvature"), translatable("The smaller principal curvature k2")},
-    Choice{translatable("Continuity"), translatable("How much curvature jumps across the edges")},
-    Choice{translatable("Isophotes"),
-           translatable("Bands of equal angle between the surface and a direction")},
-    Choice{translatable("Draft angle"), translatable("Angle between the surface and the pull of a mould")},
-    Choice{translatable("Smallest radius"), translatable("Radius of the tighter of the two curvatures")},
-    Choice{translatable("Wall thickness"),
-           translatable("How far it is to the other side of a closed surface")},
-    Choice{translatable("Deviation"), translatable("Distance from another object, which is the reference")},
-};
-static_assert(map_choices.size() == surface_map_count);
-constexpr std::array material_choices{
-    Choice{translatable("Clay"), translatable("Matt: shows the form")},
-    Choice{translatable("Porcelain"), translatable("White gloss: shows where highlights run")},
-    Choice{translatable("Metal"), translatable("Mirrors the studio: shows every dent")},
-    Choice{translatable("Wax"), translatable("Soft light under the skin")},
-    Choice{translatable("Rubber"), translatable("Dark and dull: shows outlines")},
-    Choice{translatable("Plastic"), translatable("Coloured gloss")},
-};
-constexpr std::array range_choices{
-    Choice{translatable("Symmetric"), translatable("As far below zero as above, without the outermost 2 %")},
-    Choice{translatable("Percentile"), translatable("From the 2 % to the 98 % quantile")},
-    Choice{translatable("Full"), translatable("From the least to the greatest value")},
-    Choice{translatable("Typed"), translatable("From and to the values below")},
-};
-constexpr std::array lock_choices{
-    Choice{translatable("View"), translatable("Stripes keep their place on the screen")},
-    Choice{translatable("World"), translatable("Stripes stand in the room")},
-    Choice{translatable("Object"), translatable("Stripes turn with the object")},
-};
-constexpr std::array wire_choices{
-    Choice{translatable("None"), translatable("No lines over the surface")},
-    Choice{translatable("Patch borders"), translatable("Where patches meet")},
-    Choice{translatable("Display mesh"), translatable("The triangles on the screen")},
-};
 constexpr std::array axis_choices{Choice{"X", ""}, Choice{"Y", ""}, Choice{"Z", ""}};
 
 /// Changes how all objects are shown. Those that are gone by now are left out.
@@ -100,11 +55,6 @@ void commit(PanelContext& context, const Objects& objects, const std::string& st
 template <class T, class Get>
 std::optional<T> shown_alike(const Objects& objects, const Get& get) {
   return common<T>(objects, [&](const auto& object) -> T { return get(object->display); });
-}
-
-template <class T>
-int number_of(const std::optional<T>& value) {
-  return value ? static_cast<int>(*value) : -1;
 }
 
 template <class Test>
@@ -148,7 +98,7 @@ void show_flag(PanelContext& context, const Objects& objects, const Flag& flag) 
 void direction_row(PanelContext& context, ZebraSettings& zebra) {
   const Metrics& m = context.metrics;
   row_label(context, context.tr("Direction"), context.tr("Drag the dot over the ball"));
-  const Matrix3 to_camera = context.editor.camera().orientation.conjugate().toRotationMatrix();
+  const Matrix3 to_camera = context.editor.camera().picture_orientation().conjugate().toRotationMatrix();
   const bool turned = zebra.lock != StripeLock::view;
   Vector3 seen = turned ? Vector3(to_camera * zebra.direction) : zebra.direction;
   const float radius = m.px(24);
@@ -186,8 +136,8 @@ void stripe_rows(PanelContext& context) {
   ImGui::SliderInt("##stripes", &zebra.stripes, 2, 64, "%d", ImGuiSliderFlags_AlwaysClamp);
   context.marks.item("slider.stripes");
   if (const auto chosen = choose(context, "lock", "Locked to", "What the stripes stand still with",
-                                 lock_choices, static_cast<int>(zebra.lock)))
-    zebra.lock = static_cast<StripeLock>(*chosen);
+                                 std::optional(zebra.lock)))
+    zebra.lock = *chosen;
   direction_row(context, zebra);
 }
 
@@ -195,14 +145,13 @@ void range_rows(PanelContext& context, const Objects& objects, SurfaceMap map) {
   const auto mode = shown_alike<RangeMode>(
       objects, [map](const DisplaySettings& display) { return range_of(display, map).mode; });
   if (const auto chosen =
-          choose(context, "range", "Range", "Which values the colours span; kept for each map", range_choices,
-                 number_of(mode))) {
+          choose(context, "range", "Range", "Which values the colours span; kept for each map", mode)) {
     // What is typed begins with what was seen.
     const SurfaceView* view = context.editor.view_of(objects.front()->id);
     const bool seen = view && view->range.low < view->range.high;
     commit(context, objects, "Range of the map", [&](DisplaySettings& display) {
       MapRange& changed = range_of(display, map);
-      changed.mode = static_cast<RangeMode>(*chosen);
+      changed.mode = *chosen;
       if (changed != MapRange{RangeMode::manual} || !seen) return;
       changed.low = view->range.low;
       changed.high = view->range.high;
@@ -263,11 +212,10 @@ void material_rows(PanelContext& context, const Objects& objects) {
   if (any_of(objects, [](const Object& object) { return object.display.map == SurfaceMap::shaded; })) {
     const auto material =
         shown_alike<Material>(objects, [](const DisplaySettings& display) { return display.material; });
-    if (const auto chosen = choose(context, "material", "Material", "How the surface takes the light",
-                                   material_choices, number_of(material)))
-      commit(context, objects, "Material", [&](DisplaySettings& display) {
-        display = with_material(display, static_cast<Material>(*chosen));
-      });
+    if (const auto chosen =
+            choose(context, "material", "Material", "How the surface takes the light", material))
+      commit(context, objects, "Material",
+             [&](DisplaySettings& display) { display = with_material(display, *chosen); });
   }
   colour_row(context, objects);
 }
@@ -410,11 +358,10 @@ void draw_display(PanelContext& context, const Objects& objects) {
   heading(context, context.tr("Display"));
   const auto map =
       shown_alike<SurfaceMap>(objects, [](const DisplaySettings& display) { return display.map; });
-  if (const auto chosen = choose(context, "map", "Map", "What colours this surface, whatever the view shows",
-                                 map_choices, number_of(map)))
-    commit(context, objects,
-           fill(translatable("Map {0}"), {map_choices[static_cast<std::size_t>(*chosen)].label}),
-           [&](DisplaySettings& display) { display.map = static_cast<SurfaceMap>(*chosen); });
+  if (const auto chosen =
+          choose(context, "map", "Map", "What colours this surface, whatever the view shows", map))
+    commit(context, objects, fill(translatable("Map {0}"), {enum_choice(*chosen).label}),
+           [&](DisplaySettings& display) { display.map = *chosen; });
   const auto shows = [&](SurfaceMap wanted) {
     return any_of(objects,
                   [&](const Object& object) { return shown_map(context.editor.view.map, object) == wanted; });
@@ -429,10 +376,9 @@ void draw_display(PanelContext& context, const Objects& objects) {
   show_rows(context, objects);
   const auto wire =
       shown_alike<PatchWire>(objects, [](const DisplaySettings& display) { return display.wire; });
-  if (const auto chosen =
-          choose(context, "wire", "Lines", "Lines over the surface", wire_choices, number_of(wire)))
+  if (const auto chosen = choose(context, "wire", "Lines", "Lines over the surface", wire))
     commit(context, objects, "Lines over the surface",
-           [&](DisplaySettings& display) { display.wire = static_cast<PatchWire>(*chosen); });
+           [&](DisplaySettings& display) { display.wire = *chosen; });
   Objects surfaces, polyhedra;
   std::copy_if(objects.begin(), objects.end(), std::back_inserter(surfaces),
                [](const auto& object) { return object->has_surface(); });
@@ -455,6 +401,7 @@ void draw_display(PanelContext& context, const Objects& objects) {
                        [](DisplaySettings& d, double value) { d.density = static_cast<int>(value); }));
   }
   section_rows(context);
+  section_curve_rows(context);
   x_ray_row(context);
 }
 

@@ -11,7 +11,7 @@
 #include "ui/base/quantity.hpp"
 #include "ui/base/text_lines.hpp"
 #include "ui/view/legend.hpp"
-#include "ui/widgets/choice.hpp"
+#include "ui/widgets/enum_labels.hpp"
 #include "ui/widgets/panels.hpp"
 #include "ui/widgets/tips.hpp"
 #include "ui/widgets/value_fields.hpp"
@@ -43,18 +43,6 @@ constexpr std::array<Row, mesh_criterion_count> rows{{
      translatable("Triangles that are too sharp are cut where that helps"), 1, 35},
 }};
 
-constexpr std::array<Choice, 2> start_choices{{
-    {translatable("Whole patches"), translatable("Two facets a patch, which are cut where they have to be")},
-    {translatable("Cells"),
-     translatable("As long as their curvature lets them be: fewer facets where a surface bends evenly, "
-                  "or one way only")},
-}};
-constexpr std::array<Choice, 4> split_choices{{
-    {translatable("Longest edge"), translatable("The longest edge in its middle")},
-    {translatable("Halved normals"), translatable("Where the normal halves the angle, as in the paper")},
-    {translatable("Curvature"), translatable("Along the curvature, by the image on the sphere of normals")},
-    {translatable("Root of curvature"), translatable("By the square root of the curvature; for distances")},
-}};
 constexpr std::array shown_names{translatable("Triangles"), translatable("Distance"), translatable("Angle"),
                                  translatable("Folds")};
 
@@ -103,13 +91,12 @@ void criterion_row(PanelContext& context, Meshing& meshing, std::size_t index) {
 void way_rows(PanelContext& context, MeshingSettings& settings) {
   {
     const Disabled disabled(settings.optimise || settings.balanced);
-    if (const auto chosen =
-            choose(context, "meshing.start", "Start", "What is cut: for patches with four sides",
-                   start_choices, static_cast<int>(settings.start)))
-      settings.start = static_cast<MeshStart>(*chosen);
+    if (const auto chosen = choose(context, "meshing.start", "Start",
+                                   "What is cut: for patches with four sides", std::optional(settings.start)))
+      settings.start = *chosen;
     if (const auto chosen = choose(context, "meshing.split", "Cut", "Which edge is cut, and where",
-                                   split_choices, static_cast<int>(settings.split)))
-      settings.split = static_cast<SplitRule>(*chosen);
+                                   std::optional(settings.split)))
+      settings.split = *chosen;
   }
   const auto check = [&](const char* id, const char* label, const char* help, bool& on) {
     ImGui::Checkbox((std::string(context.tr(label)) + "##" + id).c_str(), &on);

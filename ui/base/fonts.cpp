@@ -17,8 +17,8 @@
 
 #include FT_FREETYPE_H
 
+#include "render/font_files.hpp"
 #include "ui/base/drawn_icons.hpp"
-#include "ui/base/font_files.hpp"
 #include "ui/base/icons.hpp"
 #include "ui/base/language.hpp"
 

@@ -28,16 +28,17 @@ inline constexpr const char* hidden = "\uf070";  // eye-slash
 inline constexpr const char* locked = "\uf023";
 inline constexpr const char* unlocked = "\uf09c";
 inline constexpr const char* trash = "\uf1f8";
-inline constexpr const char* warning = "\uf071";  // exclamation-triangle
-inline constexpr const char* error = "\uf06a";    // exclamation-circle
-inline constexpr const char* info = "\uf05a";     // info-circle
-inline constexpr const char* close = "\uf00d";    // times
-inline constexpr const char* up = "\uf062";       // arrow-up
-inline constexpr const char* scale = "\uf0b2";    // arrows-alt
-inline constexpr const char* mesh = "\uf009";     // th-large
-inline constexpr const char* current = "\uf0da";  // caret-right
-inline constexpr const char* check = "\uf00c";    // check
-inline constexpr const char* object = "\uf1b2";   // cube
+inline constexpr const char* warning = "\uf071";   // exclamation-triangle
+inline constexpr const char* error = "\uf06a";     // exclamation-circle
+inline constexpr const char* info = "\uf05a";      // info-circle
+inline constexpr const char* close = "\uf00d";     // times
+inline constexpr const char* up = "\uf062";        // arrow-up
+inline constexpr const char* scale = "\uf0b2";     // arrows-alt
+inline constexpr const char* mesh = "\uf009";      // th-large
+inline constexpr const char* current = "\uf0da";   // caret-right
+inline constexpr const char* unfolded = "\uf0d7";  // caret-down
+inline constexpr const char* check = "\uf00c";     // check
+inline constexpr const char* object = "\uf1b2";    // cube
 inline constexpr const char* search = "\uf002";
 inline constexpr const char* keyboard = "\uf11c";  // keyboard-o
 inline constexpr const char* settings = "\uf013";  // cog
@@ -50,10 +51,10 @@ inline constexpr const char* measure = "\uf07e";  // arrows-h
 
 /// All of the above: only these are taken from the font.
 inline constexpr const char* of_font[] = {
-    select, orbit,   pan,         zoom,        frame, vertex, edge,   face,    open,    folder,
-    file,   save,    import_file, export_file, undo,  redo,   shown,  hidden,  locked,  unlocked,
-    trash,  warning, error,       info,        close, up,     scale,  mesh,    current, check,
-    object, search,  keyboard,    settings,    add,   reset,  record, picture, copy,    measure};
+    select,   orbit,       pan,         zoom,   frame,   vertex, edge,    face,    open,     folder, file,
+    save,     import_file, export_file, undo,   redo,    shown,  hidden,  locked,  unlocked, trash,  warning,
+    error,    info,        close,       up,     scale,   mesh,   current, check,   object,   search, keyboard,
+    settings, add,         reset,       record, picture, copy,   measure, unfolded};
 
 inline constexpr unsigned short extrude_code = 0xf300, inset_code = 0xf301, bevel_code = 0xf302,
                                 loop_cut_code = 0xf303, knife_code = 0xf304, lasso_code = 0xf305,

@@ -14,12 +14,16 @@
 
 #include "core/base/message.hpp"
 #include "core/base/result.hpp"
+#include "core/base/text/enum_words.hpp"
 
 namespace hariko {
 
 inline constexpr Code e_catalogue{"E_CATALOGUE"};
 
 enum class LanguageId { english, japanese };
+template <>
+inline constexpr auto enum_words<LanguageId> = all_words<LanguageId>({{LanguageId::english, "english"},
+                                                                      {LanguageId::japanese, "japanese"}});
 
 /// Marks a string that is translated later, where it is shown: a table of labels, for instance. A test looks
 /// for the entries of everything marked so.

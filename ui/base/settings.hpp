@@ -5,14 +5,25 @@
 #include <map>
 #include <string>
 
+#include "core/base/text/enum_words.hpp"
 #include "core/document/document.hpp"
 #include "ui/base/language.hpp"
 
 namespace hariko {
 
 enum class ThemeId { dark, light };
+template <>
+inline constexpr auto enum_words<ThemeId> = all_words<ThemeId>({{ThemeId::dark, "dark"},
+                                                                {ThemeId::light, "light"}});
 /// Which buttons and modifiers move the view, by the products whose users know them.
 enum class NavigationPreset { hariko, blender, maya, rhino, trackpad };
+template <>
+inline constexpr auto enum_words<NavigationPreset> =
+    all_words<NavigationPreset>({{NavigationPreset::hariko, "hariko"},
+                                 {NavigationPreset::blender, "blender"},
+                                 {NavigationPreset::maya, "maya"},
+                                 {NavigationPreset::rhino, "rhino"},
+                                 {NavigationPreset::trackpad, "trackpad"}});
 
 /// Kinds of targets that drawings and drags jump to while they snap.
 struct SnapSettings {

@@ -56,6 +56,7 @@ Command switching(Command row, bool& on);
 void add_picture_commands(CommandHost& host);
 void add_edit_commands(CommandHost& host);
 void add_object_commands(CommandHost& host);
+void add_group_commands(CommandHost& host);
 void add_arrange_commands(CommandHost& host);
 void add_select_commands(CommandHost& host);
 void add_add_commands(CommandHost& host);
@@ -69,10 +70,13 @@ void add_outline_commands(CommandHost& host);
 void add_recompute_commands(CommandHost& host);
 void add_paper_commands(CommandHost& host);
 void add_view_commands(CommandHost& host);
+void add_saved_view_commands(CommandHost& host);
 /// Adds the commands of snapping, and of the plane in which tools draw.
 void add_snap_commands(CommandHost& host);
 void add_plane_commands(CommandHost& host);
 void add_analyse_commands(CommandHost& host);
+/// Adds the commands of section curves, which stand among those that analyse.
+void add_section_curve_commands(CommandHost& host);
 void add_measure_commands(CommandHost& host);
 /// After all commands are there.
 void fill_context_menus(CommandTable& table);

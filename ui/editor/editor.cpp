@@ -35,8 +35,10 @@ void Editor::open(Document document, std::optional<std::filesystem::path> file) 
   has_document = true;
   kept_probe.reset();
   dimensions = {};
+  chosen_group = {};
   references.views.clear();
   working_plane = {};
+  saved_view.clear();
   // The views start anew; how they are arranged stays.
   layout.views = ViewLayout().views;
   wants_framing = true;
@@ -54,6 +56,7 @@ void Editor::begin_recording() {
   hovered.reset();
   view = {};
   working_plane = {};
+  saved_view.clear();
   transform = {};
   selecting = {};
   last_click.reset();

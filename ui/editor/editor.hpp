@@ -25,6 +25,7 @@
 #include "ui/base/references.hpp"
 #include "ui/base/settings.hpp"
 #include "ui/base/surface_point.hpp"
+#include "ui/editor/chosen_group.hpp"
 #include "ui/editor/command_arguments.hpp"
 #include "ui/editor/dimension_view.hpp"
 #include "ui/editor/gauss_view.hpp"
@@ -32,6 +33,7 @@
 #include "ui/editor/last_operation.hpp"
 #include "ui/editor/meshing.hpp"
 #include "ui/editor/paper_state.hpp"
+#include "ui/editor/section_curves.hpp"
 #include "ui/editor/selection.hpp"
 #include "ui/editor/selection_memory.hpp"
 #include "ui/editor/surface_view.hpp"
@@ -111,8 +113,10 @@ class Editor {
   History history;
   Selection selection;
   ElementMode mode = ElementMode::vertex;
+  ChosenGroup chosen_group;
   std::optional<ElementRef> hovered;
   ViewSettings view;
+  std::string saved_view;      ///< name of the one that was gone to or saved last; empty for none
   WorkingPlane working_plane;  ///< in which tools draw and place
   TransformSettings transform;
   SelectSettings selecting;
@@ -129,6 +133,7 @@ class Editor {
   MeshImport mesh_import;
   PaperState paper;
   GaussView gauss;
+  SectionCurves sections;
   References references;  ///< the pixels of reference pictures
 
   /// False while the start page shows.

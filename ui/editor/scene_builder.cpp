@@ -35,8 +35,14 @@ bool same(const OverlayLine& a, const OverlayLine& b) {
   return a.begin == b.begin && a.end == b.end && a.width == b.width && a.on_top == b.on_top;
 }
 
+bool same(const SceneLines& a, const SceneLines& b) {
+  return a.lines == b.lines && a.color == b.color && a.width == b.width;
+}
+
 bool same(const Scene& a, const Scene& b) {
   return a.objects.size() == b.objects.size() &&
+         std::equal(a.curves.begin(), a.curves.end(), b.curves.begin(), b.curves.end(),
+                    [](const SceneLines& x, const SceneLines& y) { return same(x, y); }) &&
          std::equal(a.lines.begin(), a.lines.end(), b.lines.begin(), b.lines.end(),
                     [](const OverlayLine& x, const OverlayLine& y) { return same(x, y); }) &&
          a.background == b.background && same(a.grid, b.grid) && a.zebra == b.zebra &&
@@ -113,6 +119,13 @@ void add_symmetry_plane(const Object& object, std::vector<OverlayLine>& lines) {
   const std::array corners{corner(false, false), corner(true, false), corner(true, true),
                            corner(false, true)};
   for (std::size_t i = 0; i < 4; ++i) lines.push_back({corners[i], corners[(i + 1) % 4], color, 1.6F, false});
+}
+
+/// Section curves over their combs.
+void add_section_curves(const SectionCurves& sections, std::vector<SceneLines>& out) {
+  if (!sections.shown) return;
+  if (sections.teeth) out.push_back({sections.teeth, color_from_hex("#8f74d8"), 1});
+  if (sections.lines) out.push_back({sections.lines, color_from_hex("#e07a2f"), 2});
 }
 
 /// The map that a surface shows now, with its range.
@@ -203,6 +216,7 @@ void SceneBuilder::update(const Editor& editor) {
     ids_.push_back(object->id);
   }
   if (!paper_) next.pictures = scene_pictures(editor);
+  if (!paper_) add_section_curves(editor.sections, next.curves);
   colour_by_view(editor, next);
   std::erase_if(entries_, [&](const auto& entry) { return !editor.document().find(entry.first); });
   const bool compared = !compared_.empty();

@@ -1,5 +1,7 @@
 #include "ui/editor/selected_items.hpp"
 
+#include "core/document/group_tree.hpp"
+
 namespace hariko {
 
 namespace {
@@ -28,6 +30,13 @@ Objects chosen_objects(const Editor& editor) {
     if (id == editor.selection.active) continue;
     if (auto object = editor.document().find_shared(id)) objects.push_back(std::move(object));
   }
+  const GroupId group = editor.chosen_group.chosen(editor);
+  if (group == GroupId{}) return objects;
+  // Hidden and locked objects of a group are chosen with it, although they are not selected.
+  const std::set<std::shared_ptr<const Object>> known(objects.begin(), objects.end());
+  for (const ObjectId id : GroupTree(editor.document()).objects_in(group))
+    if (auto object = editor.document().find_shared(id); !known.contains(object))
+      objects.push_back(std::move(object));
   return objects;
 }
 

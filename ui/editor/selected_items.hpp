@@ -18,7 +18,8 @@ struct SelectedIds {
   std::vector<Id> ids;                   ///< ascending
 };
 
-/// The chosen objects, the active one first; empty when there is none.
+/// The chosen objects, the active one first, with all of a chosen group (`ChosenGroup`); empty when there is
+/// none.
 Objects chosen_objects(const Editor& editor);
 
 /// Their ids.

@@ -17,6 +17,8 @@
 
 namespace hariko {
 
+inline constexpr Code e_surface_pending{"E_SURFACE_PENDING"};
+
 struct SurfaceView {
   /// The object this was made from, or failed for.
   std::shared_ptr<const Object> object;

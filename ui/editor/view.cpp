@@ -34,6 +34,11 @@ void View::fly_to(const Camera& camera, double now) {
   fly(camera, now);
 }
 
+void View::go_to(const Camera& camera, double now) {
+  fly_to(camera, now);
+  returns_to_perspective_ = false;
+}
+
 void View::look_from(StandardView side, double now) {
   Camera camera = to_;
   camera.orientation = Camera::standard(side).orientation;
@@ -49,6 +54,10 @@ void View::look_from(StandardView side, double now) {
 
 void View::begin_turning(double now) {
   remember();
+  leave_side(now);
+}
+
+void View::leave_side(double now) {
   Camera camera = this->camera(now);
   if (returns_to_perspective_) camera.orthographic = false;
   returns_to_perspective_ = false;
@@ -58,6 +67,13 @@ void View::begin_turning(double now) {
 void View::toggle_orthographic() {
   remember();
   to_.orthographic = !to_.orthographic;
+  returns_to_perspective_ = false;
+}
+
+void View::toggle_two_point() {
+  remember();
+  to_.two_point = to_.orthographic || !to_.two_point;
+  to_.orthographic = false;
   returns_to_perspective_ = false;
 }
 

@@ -28,6 +28,8 @@ class View {
   void set(const Camera& camera);
   /// In `flight_seconds`, and remembered as a step to go back from.
   void fly_to(const Camera& camera, double now);
+  /// The same to a camera whose projection is to stay when the view is turned.
+  void go_to(const Camera& camera, double now);
   bool flying(double now) const { return now < flight_start_ + flight_seconds; }
   static constexpr double flight_seconds = 0.18;
 
@@ -36,8 +38,13 @@ class View {
   void look_from(StandardView side, double now);
   /// Call before the camera is turned by hand.
   void begin_turning(double now);
+  /// Ends a flight, and leaves the parallel projection of a side that was looked at from perspective:
+  /// `begin_turning` without `remember`.
+  void leave_side(double now);
   /// Between perspective and parallel projection, as the user asks for it.
   void toggle_orthographic();
+  /// Between perspective with three and with two vanishing points; from parallel projection to the latter.
+  void toggle_two_point();
 
   /// Notes where the camera is, before a change by hand: something to go back to.
   void remember();

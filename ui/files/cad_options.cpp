@@ -18,10 +18,8 @@ namespace {
 /// Shares of the size: the finest and coarsest that make sense to ask for.
 constexpr double finest = 1e-9, coarsest = 1e-2;
 constexpr double degree = std::numbers::pi / 180;
-constexpr std::array qualities{CadQuality::light, CadQuality::balanced, CadQuality::fine};
-constexpr std::array<const char*, 3> quality_ids{"light", "balanced", "fine"};
-constexpr std::array<const char*, 3> quality_names{translatable("light"), translatable("balanced"),
-                                                   translatable("fine")};
+constexpr std::array quality_names{translatable("light"), translatable("balanced"), translatable("fine")};
+static_assert(quality_names.size() == enum_words<CadQuality>.size());
 
 }  // namespace
 
@@ -60,12 +58,12 @@ void CadOptions::quality_row(const Editor& editor, Marks& marks, const Metrics& 
                std::clamp(tolerance_of(quality, unit), finest * size(), coarsest * size());
   };
   option_label(tr, metrics, translatable("Quality"));
-  for (std::size_t i = 0; i < qualities.size(); ++i) {
-    if (i > 0) beside_or_below(metrics, check_width(tr(quality_names[i])));
-    if (ImGui::RadioButton((std::string(tr(quality_names[i])) + "##cad_quality").c_str(),
-                           chosen(qualities[i])))
-      take_quality(qualities[i], unit);
-    marks.item(std::string("export.cad_quality.") + quality_ids[i]);
+  for (const CadQuality quality : enum_values<CadQuality>()) {
+    const char* name = tr(quality_names[static_cast<std::size_t>(quality)]);
+    if (quality != CadQuality::light) beside_or_below(metrics, check_width(name));
+    if (ImGui::RadioButton((std::string(name) + "##cad_quality").c_str(), chosen(quality)))
+      take_quality(quality, unit);
+    marks.item("export.cad_quality." + std::string(enum_word(quality)));
   }
   beside_or_below(metrics, check_width(tr("exact splines")), 16);
   ImGui::Checkbox((std::string(tr("exact splines")) + "##cad_exact").c_str(), &settings_.choices.exact);
@@ -86,7 +84,7 @@ void CadOptions::tolerance_row(const Editor& editor, Marks& marks, const Metrics
   Quantity length = length_quantity(editor.document().unit, settings_.choices.tolerance);
   length.low = finest * size();
   length.high = coarsest * size();
-  option_field("cad_tolerance",
+  option_field("export.cad_tolerance",
                tr("The farthest that faces may be from the surface where they cannot be the surface itself"),
                marks, metrics.px(110), length, tolerance_text_, settings_.choices.tolerance);
   beside_or_below(metrics, labelled_width(tr("Angle"), metrics.px(80)), 16);
@@ -98,8 +96,8 @@ void CadOptions::tolerance_row(const Editor& editor, Marks& marks, const Metrics
   turn.high = 10;
   turn.step = 0.01;
   double degrees = settings_.choices.angle / degree;
-  if (option_field("cad_angle", tr("The most that normals may jump between faces along smooth edges"), marks,
-                   metrics.px(80), turn, angle_text_, degrees))
+  if (option_field("export.cad_angle", tr("The most that normals may jump between faces along smooth edges"),
+                   marks, metrics.px(80), turn, angle_text_, degrees))
     settings_.choices.angle = degrees * degree;
 }
 
@@ -112,26 +110,16 @@ void CadOptions::selected_row(const Language& tr, Marks& marks, const Metrics& m
 
 void CadOptions::unit_row(const Editor& editor, Marks& marks, const Metrics& metrics) {
   const Language& tr = editor.language;
-  constexpr std::array units{Unit::millimetre, Unit::centimetre, Unit::metre, Unit::inch};
   CadChoices& choices = settings_.choices;
   option_label(tr, metrics, translatable("Unit"));
-  ImGui::SetNextItemWidth(metrics.px(110));
-  const bool open = ImGui::BeginCombo("##cad_unit", std::string(to_string(choices.unit)).c_str());
-  marks.item("export.cad_unit");
-  if (open) {
-    for (const Unit unit : units) {
-      const std::string name(to_string(unit));
-      if (ImGui::Selectable(name.c_str(), choices.unit == unit)) choices.unit = unit;
-      marks.item("export.cad_unit." + name);
-    }
-    ImGui::EndCombo();
-  }
-  if (ImGui::IsItemHovered()) show_tip(tr("Of the numbers in the file. Sizes stay what they are."));
+  if (const auto chosen = option_unit(marks, "export.cad_unit", metrics.px(110), choices.unit,
+                                      tr("Of the numbers in the file. Sizes stay what they are.")))
+    choices.unit = *chosen;
   beside_or_below(metrics, labelled_width(tr("Scale"), metrics.px(80)), 16);
   ImGui::TextUnformatted(tr("Scale"));
   ImGui::SameLine();
   const double before = choices.scale;
-  if (!option_field("cad_scale", tr("All lengths are multiplied by it"), marks, metrics.px(80),
+  if (!option_field("export.cad_scale", tr("All lengths are multiplied by it"), marks, metrics.px(80),
                     scale_quantity(), scale_text_, choices.scale))
     return;
   choices.tolerance *= choices.scale / before;  // the faces stay the same

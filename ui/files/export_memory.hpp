@@ -1,6 +1,6 @@
 #pragma once
 
-// ExportMemory: what was chosen last in the dialogs that export, for the next session.
+// ExportMemory: what was chosen last in the dialogs of files, for the next session.
 
 #include <map>
 #include <string>
@@ -16,6 +16,7 @@ struct ExportMemory {
   CadChoices cad;                                 ///< tolerance 0: nothing was chosen yet
   PictureSettings picture;
   DrawingSettings drawing;
+  std::map<std::string, std::string> folders;  ///< of the last file, by kind: "import", "cad"
 
   friend bool operator==(const ExportMemory&, const ExportMemory&) = default;
 };

@@ -61,14 +61,14 @@ void ExportOptions::tolerance_row(const Editor& editor, Marks& marks, const Metr
   Quantity length = length_quantity(editor.document().unit, settings_.distance);
   length.low = finest_tolerance * size_;
   length.high = size_;
-  option_field("distance", tr("The farthest that the surface may be from its triangles"), marks,
+  option_field("export.distance", tr("The farthest that the surface may be from its triangles"), marks,
                metrics.px(110), length, distance_text_, settings_.distance);
   beside_or_below(metrics, labelled_width(tr("Angle"), metrics.px(80)));
   ImGui::TextUnformatted(tr("Angle"));
   ImGui::SameLine();
   double angle = settings_.angle * to_degrees;
-  if (option_field("angle", tr("The largest angle between the surface and its triangles; 0 for any"), marks,
-                   metrics.px(80), degrees(), angle_text_, angle))
+  if (option_field("export.angle", tr("The largest angle between the surface and its triangles; 0 for any"),
+                   marks, metrics.px(80), degrees(), angle_text_, angle))
     settings_.angle = angle / to_degrees;
   beside_or_below(metrics, check_width(tr("fewest triangles")));
   ImGui::Checkbox((std::string(tr("fewest triangles")) + "##optimise").c_str(), &settings_.optimise);
@@ -104,19 +104,11 @@ void ExportOptions::result_row(const Editor& editor, Marks& marks) const {
 
 void ExportOptions::kind_row(const Editor& editor, Marks& marks, const Metrics& metrics) {
   const Language& tr = editor.language;
-  constexpr std::array names{translatable("Within a tolerance"), translatable("By density")};
+  const std::array<std::string, 2> names{tr("Within a tolerance"), tr("By density")};
   option_label(tr, metrics, translatable("Triangles"));
-  ImGui::SetNextItemWidth(metrics.px(220));
-  const bool open = ImGui::BeginCombo("##by", tr(names[static_cast<std::size_t>(settings_.by)]));
-  marks.item("export.by");
-  if (open) {
-    for (std::size_t i = 0; i < names.size(); ++i) {
-      if (ImGui::Selectable(tr(names[i]), settings_.by == static_cast<ExportSettings::By>(i)))
-        settings_.by = static_cast<ExportSettings::By>(i);
-      marks.item("export.by." + std::to_string(i));
-    }
-    ImGui::EndCombo();
-  }
+  if (const auto chosen =
+          option_list(marks, "export.by", metrics.px(220), names, static_cast<std::size_t>(settings_.by)))
+    settings_.by = static_cast<ExportSettings::By>(*chosen);
   beside_or_below(metrics, check_width(tr("selected objects only")));
   ImGui::Checkbox((std::string(tr("selected objects only")) + "##selected").c_str(),
                   &settings_.only_selected);
@@ -136,29 +128,17 @@ void ExportOptions::file_row(const Editor& editor, Marks& marks, const Metrics& 
   FileChoices& choices = settings_.choices;
   option_label(tr, metrics, translatable("Unit"));
   if (format.unit) {
-    constexpr std::array units{Unit::millimetre, Unit::centimetre, Unit::metre, Unit::inch};
-    ImGui::SetNextItemWidth(metrics.px(80));
-    const auto symbol = [](Unit unit) { return std::string(to_string(unit)); };
-    const bool open =
-        ImGui::BeginCombo("##unit", symbol(choices.unit.value_or(editor.document().unit)).c_str());
-    marks.item("export.unit");
-    if (open) {
-      for (const Unit unit : units) {
-        const bool own = unit == editor.document().unit;
-        if (ImGui::Selectable(symbol(unit).c_str(), choices.unit ? *choices.unit == unit : own))
-          choices.unit = own ? std::nullopt : std::optional(unit);
-        marks.item("export.unit." + symbol(unit));
-      }
-      ImGui::EndCombo();
-    }
+    const Unit own = editor.document().unit;
+    if (const auto chosen = option_unit(marks, "export.unit", metrics.px(80), choices.unit.value_or(own)))
+      choices.unit = *chosen == own ? std::nullopt : chosen;
   } else {
     ImGui::TextUnformatted(tr("metres, as the format says"));
   }
   beside_or_below(metrics, labelled_width(tr("Scale"), metrics.px(80)), 16);
   ImGui::TextUnformatted(tr("Scale"));
   ImGui::SameLine();
-  option_field("scale", tr("All lengths are multiplied by it"), marks, metrics.px(80), scale_quantity(),
-               scale_text_, choices.scale);
+  option_field("export.scale", tr("All lengths are multiplied by it"), marks, metrics.px(80),
+               scale_quantity(), scale_text_, choices.scale);
   beside_or_below(metrics, labelled_width(tr("Up"), 4 * ImGui::GetFrameHeight()), 16);
   if (!format.up) return ImGui::TextUnformatted(format.unit ? tr("z is up") : tr("y is up"));
   ImGui::TextUnformatted(tr("Up"));

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/base/text/enum_words.hpp"
 #include "core/document/format/cad_choices.hpp"
 #include "core/document/format/file_choices.hpp"
 
@@ -34,6 +35,10 @@ struct ExportSettings {
     return *this == other;
   }
 };
+
+template <>
+inline constexpr auto enum_words<ExportSettings::By> = all_words<ExportSettings::By>(
+    {{ExportSettings::By::tolerance, "tolerance"}, {ExportSettings::By::density, "density"}});
 
 /// Likewise for CAD.
 struct CadSettings {

@@ -56,8 +56,8 @@ void FileDialog::open(Request request) {
   go_to(start);
   places_.clear();
   open_ = appearing_ = true;
-  ask_overwrite_ = false;
-  footer_height_ = 0;
+  ask_overwrite_ = settings_shown_ = false;
+  footer_height_ = settings_height_ = 0;
 }
 
 bool FileDialog::matches(const fs::path& file) const {
@@ -200,8 +200,9 @@ void FileDialog::draw_path(PanelContext& context) {
   for (std::size_t i = first; i < folders.size(); ++i) {
     ImGui::SameLine(0, m.px(2));
     context.editor.show_text(label(folders[i]));
+    const std::string shown = elided(label(folders[i]), end - ImGui::GetCursorPosX() - m.px(30));
     ImGui::PushStyleColor(ImGuiCol_Button, 0);
-    if (ImGui::Button((label(folders[i]) + "###crumb" + std::to_string(i)).c_str())) wanted = folders[i];
+    if (ImGui::Button((shown + "###crumb" + std::to_string(i)).c_str())) wanted = folders[i];
     ImGui::PopStyleColor();
     context.marks.item("dialog.crumb." + std::to_string(folders.size() - 1 - i));
   }
@@ -221,102 +222,6 @@ void FileDialog::draw_path(PanelContext& context) {
       ImGui::Button((std::string(context.tr("Make")) + "###make_folder").c_str(), {button, 0});
   context.marks.item("dialog.make_folder");
   if (entered || pressed) make_folder(context);
-}
-
-/// Names of the columns; a click sorts by one, a second click the other way round.
-void FileDialog::draw_header(PanelContext& context, float size_at, float date_at) {
-  const auto column = [&](const char* name, const char* mark, FolderOrder order, float at) {
-    ImGui::SameLine(at);
-    const bool on = order_ == order;
-    const TextColour colour(on ? palette().text : palette().dim_text);
-    const std::string label = std::string(context.tr(name)) + (on ? descending_ ? " \u2193" : " \u2191" : "");
-    if (ImGui::Selectable((label + "###" + mark).c_str(), false, 0,
-                          {ImGui::CalcTextSize(label.c_str()).x, 0})) {
-      // Largest and latest first: what one looks for.
-      descending_ = on ? !descending_ : order != FolderOrder::name;
-      order_ = order;
-      sort_entries(entries_, order_, descending_);
-      at_.reset();
-    }
-    context.marks.item(std::string("dialog.sort.") + mark);
-  };
-  ImGui::NewLine();
-  column("Name", "name", FolderOrder::name, context.metrics.px(46));
-  column("Size", "size", FolderOrder::size, size_at);
-  column("Modified", "modified", FolderOrder::modified, date_at);
-}
-
-void FileDialog::draw_entry(PanelContext& context, std::size_t number, float size_at, float date_at) {
-  const FolderEntry& entry = entries_[number];
-  const Metrics& m = context.metrics;
-  context.editor.show_text(entry.name);
-  ImGui::PushID(static_cast<int>(number));
-  if (ImGui::Selectable("##entry", (!entry.folder && entry.name == name_) || at_ == number,
-                        ImGuiSelectableFlags_AllowDoubleClick)) {
-    focus_name_ = true;
-    at_ = number;
-    const bool twice = ImGui::IsMouseDoubleClicked(0);
-    if (!entry.folder) {
-      name_ = entry.name;
-      ask_overwrite_ = false;
-    }
-    if (twice && entry.folder) name_ = entry.name;
-    if (twice) submit(false);
-  }
-  const bool shown = number < entries_.size() && &entries_[number] == &entry;
-  if (shown && open_) {
-    context.marks.item("entry." + entry.name);
-    if (at_ == number && std::exchange(scroll_, false)) ImGui::SetScrollHereY();
-    ImGui::SameLine(m.px(10));
-    {
-      const TextColour colour(entry.folder ? palette().secondary : palette().dim_text);
-      ImGui::TextUnformatted(entry.folder ? icon::folder : icon::file);
-    }
-    ImGui::SameLine(m.px(34));
-    ImGui::TextUnformatted(elided(entry.name, size_at - m.px(42)).c_str());
-    if (!entry.folder) {
-      ImGui::SameLine(size_at);
-      ImGui::TextDisabled("%s", file_size_text(entry.size).c_str());
-    }
-    if (entry.modified != 0) {
-      ImGui::SameLine(date_at);
-      ImGui::TextDisabled("%s", local_time_text(entry.modified).c_str());
-    }
-  }
-  ImGui::PopID();
-}
-
-void FileDialog::draw_list(PanelContext& context, float below) {
-  const Metrics& m = context.metrics;
-  ImGui::BeginGroup();
-  const float wide = ImGui::GetContentRegionAvail().x;
-  const float date = ImGui::CalcTextSize("0000-00-00 00:00").x + m.px(24), size = m.px(76);
-  const float date_at = wide - date, size_at = date_at - size;
-  ImGui::BeginChild("header", {0, ImGui::GetFrameHeight()}, false, ImGuiWindowFlags_NavFlattened);
-  draw_header(context, size_at, date_at);
-  ImGui::EndChild();
-  ImGui::PushStyleColor(ImGuiCol_ChildBg, palette().panel);
-  ImGui::BeginChild("files", {0, -below}, false,
-                    ImGuiWindowFlags_AlwaysUseWindowPadding | ImGuiWindowFlags_NavFlattened);
-  const fs::path shown = folder_;
-  ImGuiListClipper clipper;
-  // Nothing may be drawn when a click has closed the dialog: the clipper cannot measure a row then.
-  clipper.Begin(static_cast<int>(entries_.size()), ImGui::GetTextLineHeightWithSpacing());
-  if (scroll_ && at_)
-    ImGui::SetScrollY(static_cast<float>(*at_) * ImGui::GetTextLineHeightWithSpacing() -
-                      ImGui::GetWindowHeight() / 2);
-  scroll_ = false;
-  while (clipper.Step())
-    for (int i = clipper.DisplayStart; i < clipper.DisplayEnd && folder_ == shown && open_; ++i)
-      draw_entry(context, static_cast<std::size_t>(i), size_at, date_at);
-  if (entries_.empty()) {
-    ImGui::SetCursorPos({m.px(10), m.px(8)});
-    ImGui::TextDisabled("%s", request_.saving ? context.tr("No files of this kind here yet.")
-                                              : context.tr("Nothing here that can be opened."));
-  }
-  ImGui::EndChild();
-  ImGui::PopStyleColor();
-  ImGui::EndGroup();
 }
 
 /// When saving the format is the ending of the name.
@@ -401,11 +306,36 @@ void FileDialog::draw_name(PanelContext& context) {
   }
 }
 
-void FileDialog::draw_footer(PanelContext& context) {
-  const Metrics& m = context.metrics;
+bool FileDialog::has_settings() const {
+  return request_.extensions.size() > 1 || request_.options;
+}
+
+void FileDialog::draw_settings(PanelContext& context) {
   const float top = ImGui::GetCursorPosY();
   if (request_.extensions.size() > 1) draw_format(context);
   if (request_.options) request_.options(name_);
+  settings_height_ = ImGui::GetCursorPosY() - top;
+}
+
+FileDialog::Fit FileDialog::fit() const {
+  constexpr float least_entries = 4, fewest_entries = 3;
+  const float row = ImGui::GetFrameHeightWithSpacing(), entry = ImGui::GetTextLineHeightWithSpacing();
+  const float least = row + least_entries * entry + 2 * ImGui::GetStyle().WindowPadding.y;
+  const float room = ImGui::GetContentRegionAvail().y, name_and_buttons = 2 * row;
+  // Before they have been drawn once nobody knows how high the settings are; they are no less than this.
+  const float fewest_rows = (request_.extensions.size() > 1 ? 1.0F : 0) + (request_.options ? 2.0F : 0);
+  const float settings = settings_height_ > 0 ? settings_height_ : fewest_rows * row;
+  Fit fit;
+  fit.folded = has_settings() && room - name_and_buttons - settings < least;
+  const float below = (footer_height_ > 0 ? footer_height_ : name_and_buttons) + (fit.folded ? 0 : settings);
+  fit.height = std::max(room - below, fewest_entries * entry);
+  fit.header = fit.height >= least;
+  return fit;
+}
+
+void FileDialog::draw_footer(PanelContext& context, bool folded) {
+  const Metrics& m = context.metrics;
+  const float top = ImGui::GetCursorPosY();
   draw_name(context);
   if (!open_) return;
   if (ask_overwrite_) {
@@ -415,6 +345,13 @@ void FileDialog::draw_footer(PanelContext& context) {
   } else if (!error_.empty()) {
     const TextColour colour(palette().error);
     ImGui::TextUnformatted(context.tr.phrase(error_).c_str());
+  }
+  if (folded) {
+    if (icon_button(context, icon::settings, "settings", translatable("Format and settings"), settings_shown_,
+                    26))
+      settings_shown_ = !settings_shown_;
+    context.marks.item("dialog.settings");
+    ImGui::SameLine();
   }
   const float button = m.px(110);
   ImGui::SetCursorPosX(ImGui::GetWindowContentRegionMax().x - 2 * button - ImGui::GetStyle().ItemSpacing.x);
@@ -436,8 +373,8 @@ void FileDialog::draw(PanelContext& context) {
   if (!open_ && !ImGui::IsPopupOpen(id.c_str())) return;
   if (appearing_) ImGui::OpenPopup(id.c_str());
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
-  ImGui::SetNextWindowSize(
-      {std::min(m.px(860), screen.x - m.px(40)), std::min(m.px(560), screen.y - m.px(40))});
+  const float margin = std::min(m.px(40), screen.y / 20);
+  ImGui::SetNextWindowSize({std::min(m.px(860), screen.x - margin), std::min(m.px(560), screen.y - margin)});
   ImGui::SetNextWindowPos({screen.x / 2, screen.y / 2}, ImGuiCond_Always, {0.5F, 0.5F});
   if (!ImGui::BeginPopupModal(
           id.c_str(), nullptr,
@@ -447,19 +384,24 @@ void FileDialog::draw(PanelContext& context) {
     return;
   }
   draw_path(context);
-  // Before the settings have been drawn once nobody knows how high they are.
-  constexpr float usual_rows = 4;
-  const float below = footer_height_ > 0 ? footer_height_ : usual_rows * ImGui::GetFrameHeightWithSpacing();
-  // In a narrow window the files need the room.
-  if (const float places = m.px(places_width); ImGui::GetWindowWidth() > 4 * places) {
-    draw_places(context, places, -below);
-    ImGui::SameLine();
+  const Fit room = fit();
+  if (room.folded && settings_shown_) {
+    ImGui::BeginChild("settings", {0, room.height}, false, ImGuiWindowFlags_NavFlattened);
+    draw_settings(context);
+    ImGui::EndChild();
+  } else {
+    // In a narrow window the files need the room.
+    if (const float places = m.px(places_width); ImGui::GetWindowWidth() > 4 * places) {
+      draw_places(context, places, room.height);
+      ImGui::SameLine();
+    }
+    draw_list(context, room);
   }
-  draw_list(context, below);
   // A click on nothing leaves the keyboard at the name.
   if (ImGui::IsMouseReleased(0) && !ImGui::IsAnyItemActive() && !ImGui::IsAnyItemHovered())
     focus_name_ = true;
-  if (open_) draw_footer(context);
+  if (open_ && !room.folded) draw_settings(context);
+  if (open_) draw_footer(context, room.folded);
   appearing_ = false;
   if (!open_) ImGui::CloseCurrentPopup();
   ImGui::EndPopup();

@@ -38,12 +38,25 @@ class FileDialog {
   void go_to(const std::filesystem::path& folder);
   void draw_places(PanelContext& context, float width, float height);
   void draw_path(PanelContext& context);
-  void draw_header(PanelContext& context, float size_at, float date_at);
-  void draw_list(PanelContext& context, float below);
-  void draw_entry(PanelContext& context, std::size_t number, float size_at, float date_at);
+  /// Heights that the list and the settings have below the path.
+  struct Fit {
+    bool folded = false;  ///< the settings stand in place of the list when they are asked for
+    float height = 0;     ///< of the list, or of what stands in its place
+    bool header = true;   ///< the list has names of columns
+  };
+  Fit fit() const;
+  bool has_settings() const;
+  struct Columns {
+    float name_end = 0, size_at = 0, date_at = 0;  ///< 0 where there is no room for it
+  };
+  static Columns columns(const Metrics& metrics, float width);
+  void draw_header(PanelContext& context, const Columns& places);
+  void draw_list(PanelContext& context, const Fit& room);
+  void draw_entry(PanelContext& context, std::size_t number, const Columns& places);
   void draw_format(PanelContext& context);
+  void draw_settings(PanelContext& context);
   void draw_name(PanelContext& context);
-  void draw_footer(PanelContext& context);
+  void draw_footer(PanelContext& context, bool folded);
   void choose_format(std::size_t number);
   void make_folder(PanelContext& context);
   /// The entry that many rows further down becomes the name.
@@ -65,8 +78,9 @@ class FileDialog {
   bool scroll_ = false;
   std::vector<Place> places_;
   std::string name_, error_;
-  float footer_height_ = 0;  ///< of the last frame; 0 before the first
-  std::string replaced_;     ///< what the question about replacing names
+  float footer_height_ = 0, settings_height_ = 0;  ///< when they were drawn last; 0 before
+  bool settings_shown_ = false;                    ///< where they are folded
+  std::string replaced_;                           ///< what the question about replacing names
 };
 
 }  // namespace hariko

@@ -35,7 +35,7 @@ void FileDialogs::draw(PanelContext& context) {
 
 ExportMemory FileDialogs::remembered() const {
   return {export_options_.remembered(), cad_options_.settings().choices, picture_settings_,
-          drawing_options_.settings()};
+          drawing_options_.settings(), folders_};
 }
 
 void FileDialogs::remember(ExportMemory memory) {
@@ -43,6 +43,7 @@ void FileDialogs::remember(ExportMemory memory) {
   cad_options_.remember(memory.cad);
   picture_settings_ = memory.picture;
   drawing_options_.remember(memory.drawing);
+  folders_ = std::move(memory.folders);
 }
 
 void FileDialogs::forget_choices() {
@@ -50,6 +51,26 @@ void FileDialogs::forget_choices() {
   cad_options_ = {};
   picture_settings_ = {};
   drawing_options_ = {};
+  folders_.clear();
+}
+
+void FileDialogs::show(const std::string& kind, FileDialog::Request request) {
+  std::error_code unknown;
+  if (const auto last = folders_.find(kind);
+      last != folders_.end() && std::filesystem::is_directory(last->second, unknown))
+    request.proposal =
+        request.saving ? last->second / request.proposal.filename() : std::filesystem::path(last->second);
+  request.accept = [this, kind, saving = request.saving,
+                    accept = std::move(request.accept)](const auto& path) {
+    const std::filesystem::path folder = path.parent_path();
+    // A file that is written beside the document stays beside it.
+    if (saving && editor_.path && folder == editor_.path->parent_path())
+      folders_.erase(kind);
+    else
+      folders_[kind] = folder.string();
+    accept(path);
+  };
+  dialog_.open(std::move(request));
 }
 
 void FileDialogs::save_as(std::function<void()> then) {
@@ -76,16 +97,16 @@ void FileDialogs::save_copy() {
 
 void FileDialogs::export_triangles() {
   const std::filesystem::path proposal = export_proposal(".obj");
-  dialog_.open({translatable("Export the surfaces as triangles"),
-                translatable("Export"),
-                true,
-                {".obj", ".stl", ".3mf", ".ply", ".glb", ".gltf", ".off"},
-                proposal,
-                [this](const auto& path) { application_.export_file(path, export_options_.settings()); },
-                [this](const std::filesystem::path& name) {
-                  if (export_options_.draw(editor_, marks_, metrics_, name))
-                    application_.count_export(name, export_options_.settings());
-                }});
+  show("triangles", {translatable("Export the surfaces as triangles"),
+                     translatable("Export"),
+                     true,
+                     {".obj", ".stl", ".3mf", ".ply", ".glb", ".gltf", ".off"},
+                     proposal,
+                     [this](const auto& path) { application_.export_file(path, export_options_.settings()); },
+                     [this](const std::filesystem::path& name) {
+                       if (export_options_.draw(editor_, marks_, metrics_, name))
+                         application_.count_export(name, export_options_.settings());
+                     }});
   export_options_.begin(editor_, proposal);
   application_.count_export(proposal, export_options_.settings());
   counting_ = true;
@@ -93,16 +114,16 @@ void FileDialogs::export_triangles() {
 
 void FileDialogs::export_cad() {
   const std::filesystem::path proposal = export_proposal(".step");
-  dialog_.open({translatable("Export the surfaces for CAD"),
-                translatable("Export"),
-                true,
-                {".step", ".stp", ".iges", ".igs"},
-                proposal,
-                [this](const auto& path) { application_.export_cad(path, cad_options_.settings()); },
-                [this](const std::filesystem::path& name) {
-                  if (cad_options_.draw(editor_, marks_, metrics_, name))
-                    application_.count_cad(cad_options_.settings());
-                }});
+  show("cad", {translatable("Export the surfaces for CAD"),
+               translatable("Export"),
+               true,
+               {".step", ".stp", ".iges", ".igs"},
+               proposal,
+               [this](const auto& path) { application_.export_cad(path, cad_options_.settings()); },
+               [this](const std::filesystem::path& name) {
+                 if (cad_options_.draw(editor_, marks_, metrics_, name))
+                   application_.count_cad(cad_options_.settings());
+               }});
   cad_options_.begin(editor_);
   application_.count_cad(cad_options_.settings());
   counting_ = true;
@@ -110,12 +131,12 @@ void FileDialogs::export_cad() {
 
 void FileDialogs::export_control() {
   const std::filesystem::path proposal = export_proposal(" control.obj");
-  dialog_.open({translatable("Export the control meshes of skins"),
-                translatable("Export"),
-                true,
-                {".obj"},
-                proposal,
-                [this](const auto& path) { application_.export_control(path); }});
+  show("control", {translatable("Export the control meshes of skins"),
+                   translatable("Export"),
+                   true,
+                   {".obj"},
+                   proposal,
+                   [this](const auto& path) { application_.export_control(path); }});
 }
 
 void FileDialogs::write_picture(const std::filesystem::path& path, bool turntable) {
@@ -154,7 +175,7 @@ void FileDialogs::picture(bool turntable) {
         if (std::filesystem::exists(file, unknown)) return file;
       return {};
     };
-  dialog_.open(std::move(request));
+  show("picture", std::move(request));
 }
 
 void FileDialogs::open(std::function<void(const std::filesystem::path&)> accept) {
@@ -164,10 +185,10 @@ void FileDialogs::open(std::function<void(const std::filesystem::path&)> accept)
 }
 
 void FileDialogs::import() {
-  dialog_.open({translatable("Import"), translatable("Import"), false,
-                importable_endings(!why_no_cad_files()), folder_proposal(),
-                [this](const auto& path) { application_.import_file(path); },
-                [this](const auto&) { draw_mesh_options(editor_, marks_, metrics_); }});
+  show("import",
+       {translatable("Import"), translatable("Import"), false, importable_endings(!why_no_cad_files()),
+        folder_proposal(), [this](const auto& path) { application_.import_file(path); },
+        [this](const auto&) { draw_mesh_options(editor_, marks_, metrics_); }});
 }
 
 namespace {
@@ -182,36 +203,36 @@ FileDialog::Request picture_request(std::string title, std::filesystem::path fol
 }  // namespace
 
 void FileDialogs::add_picture() {
-  dialog_.open(picture_request(translatable("Add reference picture"), folder_proposal(),
-                               [this](const auto& path) { application_.add_pictures({path}); }));
+  show("reference", picture_request(translatable("Add reference picture"), folder_proposal(),
+                                    [this](const auto& path) { application_.add_pictures({path}); }));
 }
 
 void FileDialogs::replace_picture(ObjectId picture) {
-  dialog_.open(
-      picture_request(translatable("Choose another picture"), folder_proposal(),
-                      [this, picture](const auto& path) { application_.replace_picture(picture, path); }));
+  show("reference",
+       picture_request(translatable("Choose another picture"), folder_proposal(),
+                       [this, picture](const auto& path) { application_.replace_picture(picture, path); }));
 }
 
 void FileDialogs::find_pictures(const std::string& name) {
   editor_.show_text(name);
-  dialog_.open(picture_request(fill(editor_.language("Where is {0}?"), {name}), folder_proposal(),
-                               [this](const auto& path) { application_.find_pictures(path); }));
+  show("reference", picture_request(fill(editor_.language("Where is {0}?"), {name}), folder_proposal(),
+                                    [this](const auto& path) { application_.find_pictures(path); }));
 }
 
 void FileDialogs::unpack_picture(ObjectId picture) {
   const Object* object = editor_.document().find(picture);
   if (!object || !object->picture()) return;
   const std::filesystem::path name(object->picture()->path);
-  dialog_.open({translatable("Save the picture as a file"),
-                translatable("Save"),
-                true,
-                {is_reference_file(name) ? lower_ending(name) : std::string(".png")},
-                folder_proposal() / name.filename(),
-                [this, picture](const auto& path) { application_.unpack_picture(picture, path); }});
+  show("reference", {translatable("Save the picture as a file"),
+                     translatable("Save"),
+                     true,
+                     {is_reference_file(name) ? lower_ending(name) : std::string(".png")},
+                     folder_proposal() / name.filename(),
+                     [this, picture](const auto& path) { application_.unpack_picture(picture, path); }});
 }
 
 void FileDialogs::export_keys() {
-  dialog_.open({translatable("Export keys"),
+  show("keys", {translatable("Export keys"),
                 translatable("Export"),
                 true,
                 {".json"},
@@ -225,7 +246,7 @@ void FileDialogs::export_keys() {
 }
 
 void FileDialogs::import_keys() {
-  dialog_.open({translatable("Import keys"),
+  show("keys", {translatable("Import keys"),
                 translatable("Import"),
                 false,
                 {".json"},
@@ -245,34 +266,48 @@ void FileDialogs::import_keys() {
 void FileDialogs::export_pages() {
   std::filesystem::path proposal = name_proposal();
   proposal.replace_extension(".pdf");
-  dialog_.open({translatable("Export the pages of the paper model"),
-                translatable("Export"),
-                true,
-                {".pdf", ".svg", ".dxf", ".png"},
-                proposal,
-                [this](const auto& path) { application_.export_pages(path); }});
+  show("pages", {translatable("Export the pages of the paper model"),
+                 translatable("Export"),
+                 true,
+                 {".pdf", ".svg", ".dxf", ".png"},
+                 proposal,
+                 [this](const auto& path) { application_.export_pages(path); }});
+}
+
+void FileDialogs::export_sections() {
+  const std::filesystem::path proposal = export_proposal(" sections.svg");
+  show("sections", {translatable("Export the section curves"),
+                    translatable("Export"),
+                    true,
+                    {".svg", ".dxf"},
+                    proposal,
+                    [this](const auto& path) {
+                      auto order = order_sections(editor_, path);
+                      if (!order) return editor_.notify(order.error());
+                      application_.export_sections(std::move(order).value());
+                    }});
 }
 
 void FileDialogs::record() {
   std::filesystem::path proposal = name_proposal();
   proposal.replace_extension(".jsonl");
-  dialog_.open({translatable("Record a replay"),
-                translatable("Record"),
-                true,
-                {".jsonl"},
-                proposal,
-                [this](const auto& path) { application_.record(path); }});
+  show("replay", {translatable("Record a replay"),
+                  translatable("Record"),
+                  true,
+                  {".jsonl"},
+                  proposal,
+                  [this](const auto& path) { application_.record(path); }});
 }
 
 void FileDialogs::record_script() {
   std::filesystem::path proposal = name_proposal();
   proposal.replace_extension(".json");
-  dialog_.open({translatable("Record a script"),
-                translatable("Record"),
-                true,
-                {".json"},
-                proposal,
-                [this](const auto& path) { application_.record_script(path); }});
+  show("script", {translatable("Record a script"),
+                  translatable("Record"),
+                  true,
+                  {".json"},
+                  proposal,
+                  [this](const auto& path) { application_.record_script(path); }});
 }
 
 std::filesystem::path FileDialogs::name_proposal() const {

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -50,6 +51,8 @@ class FileDialogs {
   void picture(bool turntable);
   /// For the pages of the paper model.
   void export_pages();
+  /// For the section curves that are shown.
+  void export_sections();
   void export_keys();
   void import_keys();
   void record();
@@ -72,6 +75,9 @@ class FileDialogs {
   void forget_choices();
 
  private:
+  /// Opens the dialog in the folder that files of this kind were taken from or written to last, where it is
+  /// still there.
+  void show(const std::string& kind, FileDialog::Request request);
   void write_picture(const std::filesystem::path& path, bool turntable);
   std::filesystem::path export_proposal(const char* ending) const;
   std::filesystem::path folder_proposal() const;
@@ -88,7 +94,8 @@ class FileDialogs {
   CadOptions cad_options_;
   PictureSettings picture_settings_;
   DrawingOptions drawing_options_;
-  std::string picture_ending_ = ".png";  ///< of the last picture
+  std::string picture_ending_ = ".png";         ///< of the last picture
+  std::map<std::string, std::string> folders_;  ///< of the last file, by kind of file
 };
 
 }  // namespace hariko

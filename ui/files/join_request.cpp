@@ -40,7 +40,7 @@ Prompt::Request join_request(const Language& tr, const std::string& file, const 
   request.fields = [field, quantity, &tr](PanelContext& context) {
     ImGui::Dummy({0, context.metrics.px(8)});
     option_label(tr, context.metrics, "Tolerance");
-    option_field("join_tolerance", tr("Corners up to this far apart become one"), context.marks,
+    option_field("export.join_tolerance", tr("Corners up to this far apart become one"), context.marks,
                  context.metrics.px(140), quantity, field->text, field->tolerance);
   };
   request.answers = {{tr("Join"), "join",

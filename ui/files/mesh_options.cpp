@@ -5,36 +5,24 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <string>
 
 #include "ui/widgets/option_fields.hpp"
 #include "ui/widgets/tips.hpp"
 
 namespace hariko {
 
-namespace {
-
-constexpr std::array mesh_uses{translatable("Cage, asked about above 5,000 faces"), translatable("Cage"),
-                               translatable("Reference facets")};
-
-}  // namespace
-
 void draw_mesh_options(Editor& editor, Marks& marks, const Metrics& metrics) {
   const Language& tr = editor.language;
   MeshImport& choice = editor.mesh_import;
   option_label(tr, metrics, "Meshes");
-  ImGui::SetNextItemWidth(std::min(metrics.px(300), ImGui::GetContentRegionAvail().x));
-  const auto current = static_cast<std::size_t>(choice.use);
-  const bool open = ImGui::BeginCombo("##mesh_use", tr(mesh_uses[current]));
-  marks.item("import.use");
-  if (open) {
-    for (std::size_t i = 0; i < mesh_uses.size(); ++i) {
-      if (ImGui::Selectable(tr(mesh_uses[i]), i == current)) choice.use = static_cast<MeshUse>(i);
-      marks.item("import.use." + std::to_string(i));
-    }
-    ImGui::EndCombo();
-  } else if (ImGui::IsItemHovered()) {
-    show_tip(tr("A cage gets a surface. Reference facets are to be traced and measured."));
-  }
+  const std::array<std::string, 3> uses{tr("Cage, asked about above 5,000 faces"), tr("Cage"),
+                                        tr("Reference facets")};
+  if (const auto chosen =
+          option_list(marks, "import.use", std::min(metrics.px(300), ImGui::GetContentRegionAvail().x), uses,
+                      static_cast<std::size_t>(choice.use), {},
+                      tr("A cage gets a surface. Reference facets are to be traced and measured.")))
+    choice.use = static_cast<MeshUse>(*chosen);
   option_label(tr, metrics, "");
   ImGui::Checkbox((std::string(tr("Crease edges above")) + "###creases").c_str(), &choice.creases);
   marks.item("import.creases");

@@ -40,17 +40,9 @@ void size_row(const Language& tr, PixelSize view, Marks& marks, const Metrics& m
   const std::array names{fill(tr("As the view, {0}"), {text_of(view)}), std::string("1920 \u00d7 1080"),
                          std::string("3840 \u00d7 2160 (4K)"), std::string(tr("Custom"))};
   option_label(tr, metrics, translatable("Size"));
-  ImGui::SetNextItemWidth(metrics.px(220));
-  const bool open = ImGui::BeginCombo("##size", names[static_cast<std::size_t>(settings.size)].c_str());
-  marks.item("picture.size");
-  if (open) {
-    for (std::size_t i = 0; i < names.size(); ++i) {
-      if (ImGui::Selectable(names[i].c_str(), settings.size == static_cast<Size>(i)))
-        settings.size = static_cast<Size>(i);
-      marks.item("picture.size." + std::to_string(i));
-    }
-    ImGui::EndCombo();
-  }
+  if (const auto chosen =
+          option_list(marks, "picture.size", metrics.px(220), names, static_cast<std::size_t>(settings.size)))
+    settings.size = static_cast<Size>(*chosen);
   if (settings.size != Size::custom) return;
   ImGui::SameLine();
   whole_number(marks, metrics, "width", settings.custom.width, max_picture_side);
@@ -68,16 +60,8 @@ void DrawingOptions::page_row(const Editor& editor, Marks& marks, const Metrics&
   length.low = least_page_side;
   length.high = most_page_side;
   option_label(tr, metrics, translatable("Width"));
-  if (width_text_.empty()) width_text_ = format_quantity(length, settings_.width);
-  ImGui::SetNextItemWidth(metrics.px(110));
-  ImGui::InputText("##page_width", &width_text_);
-  marks.item("picture.page_width");
-  if (ImGui::IsItemHovered()) show_tip(tr("Of the page. Lines have the same widths on pages of all sizes."));
-  if (ImGui::IsItemDeactivatedAfterEdit()) {
-    if (const auto change = parse_change(width_text_, length))
-      settings_.width = change->apply(length, settings_.width);
-    width_text_ = format_quantity(length, settings_.width);
-  }
+  option_field("picture.page_width", tr("Of the page. Lines have the same widths on pages of all sizes."),
+               marks, metrics.px(110), length, width_text_, settings_.width);
   ImGui::SameLine();
   const double height = page_of(settings_, editor.viewport).y();
   ImGui::TextUnformatted(

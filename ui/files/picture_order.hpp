@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/base/result.hpp"
+#include "core/base/text/enum_words.hpp"
 #include "render/legend.hpp"
 #include "render/scene.hpp"
 #include "ui/editor/editor.hpp"
@@ -15,7 +16,6 @@
 
 namespace hariko {
 
-inline constexpr Code e_surface_pending{"E_SURFACE_PENDING"};
 inline constexpr Code e_picture_count{"E_PICTURE_COUNT"};
 inline constexpr int most_turntable_pictures = 3600;
 
@@ -32,6 +32,13 @@ struct PictureSettings {
 
   friend bool operator==(const PictureSettings&, const PictureSettings&) = default;
 };
+
+template <>
+inline constexpr auto enum_words<PictureSettings::Size> =
+    all_words<PictureSettings::Size>({{PictureSettings::Size::view, "view"},
+                                      {PictureSettings::Size::full_hd, "full_hd"},
+                                      {PictureSettings::Size::ultra_hd, "ultra_hd"},
+                                      {PictureSettings::Size::custom, "custom"}});
 
 /// In pixels. `view`: the size of the active view.
 PixelSize size_of(const PictureSettings& settings, PixelSize view);

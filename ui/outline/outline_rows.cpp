@@ -7,7 +7,7 @@
 #include "core/gaussmap/outlines/interpolate_normals.hpp"
 #include "core/gaussmap/outlines/outline_check.hpp"
 #include "ui/editor/outlines.hpp"
-#include "ui/widgets/choice.hpp"
+#include "ui/widgets/enum_labels.hpp"
 #include "ui/widgets/tips.hpp"
 #include "ui/widgets/value_fields.hpp"
 
@@ -17,26 +17,10 @@ namespace {
 
 constexpr double degrees_per_radian = 180 / std::numbers::pi;
 
-constexpr std::array mode_choices{
-    Choice{"Curvature",
-           "Uses the Gaussian curvature along the loops; it fixes how the surface bends across them"},
-    Choice{"Round", "As round as the loops and their normals allow; for domes and saddles"},
-    Choice{"Minkowski", "Spreads the curvature inside so that areas fit exactly; for domes only"},
-    Choice{"As published", "The construction as first published, for comparison: it does not converge"},
-    Choice{"Position", "Bends as little as it can; curvature of both signs and folds are allowed"},
-};
 constexpr std::array mode_steps{translatable("Outline mode Curvature"), translatable("Outline mode Round"),
                                 translatable("Outline mode Minkowski"),
                                 translatable("Outline mode As published"),
                                 translatable("Outline mode Position")};
-constexpr std::array sign_choices{
-    Choice{"Dome", "The surface bends to one side everywhere"},
-    Choice{"Saddle", "The surface bends to both sides everywhere"},
-};
-constexpr std::array patch_choices{
-    Choice{"Fair", "Balances the curvature inside the faces: the smoothest result"},
-    Choice{"G2", "Curvature runs on without a break over edges and through vertices"},
-};
 
 using ChangeSettings = std::function<void(OutlineSettings&)>;
 
@@ -61,14 +45,14 @@ void method_rows(PanelContext& context, const Object& object) {
   const OutlineSource& source = *object.outline();
   const OutlineSettings& settings = source.settings;
   if (const auto chosen = choose(context, "outline_mode", "Mode", "How the control points inside are found",
-                                 mode_choices, static_cast<int>(settings.mode)))
+                                 std::optional(settings.mode)))
     set(context, object, mode_steps[static_cast<std::size_t>(*chosen)],
-        [&](OutlineSettings& changed) { changed.mode = static_cast<GaussMode>(*chosen); });
+        [&](OutlineSettings& changed) { changed.mode = *chosen; });
   if (!source.outline->has_curvature() && settings.mode != GaussMode::position)
     if (const auto chosen = choose(context, "outline_sign", "Shape", "Which way the surface bends",
-                                   sign_choices, static_cast<int>(settings.sign)))
+                                   std::optional(settings.sign)))
       set(context, object, translatable("Shape of the outline"),
-          [&](OutlineSettings& changed) { changed.sign = static_cast<CurvatureSign>(*chosen); });
+          [&](OutlineSettings& changed) { changed.sign = *chosen; });
 }
 
 /// A gap is asked for or not: without one there is no length to show.
@@ -232,8 +216,9 @@ void outline_section(PanelContext& context, const Object& object) {
   method_rows(context, object);
   density_rows(context, object);
   const bool g2 = object.outline()->settings.curvature_continuous;
+  constexpr std::array surfaces{enum_choice(Mode::fair), enum_choice(Mode::g2)};
   if (const auto chosen = choose(context, "outline_surface", "Surface", "How the surface spans the curves",
-                                 patch_choices, g2 ? 1 : 0))
+                                 surfaces, g2 ? 1 : 0))
     set(context, object, *chosen == 1 ? "Surface G2" : "Surface Fair",
         [&](OutlineSettings& changed) { changed.curvature_continuous = *chosen == 1; });
   const std::size_t given = object.outline()->outline->point_count();

@@ -10,7 +10,7 @@
 #include "ui/base/text_lines.hpp"
 #include "ui/editor/object_size.hpp"
 #include "ui/editor/paper_edits.hpp"
-#include "ui/widgets/choice.hpp"
+#include "ui/widgets/enum_labels.hpp"
 #include "ui/widgets/value_fields.hpp"
 
 namespace hariko {
@@ -39,11 +39,6 @@ constexpr std::array page_choices{
     pages[4].choice,
     pages[5].choice,
     Choice{"Own size", "Width and height in mm"},
-};
-constexpr std::array goal_choices{
-    Choice{"Fewest pieces", "As few pieces as can be found"},
-    Choice{"Balanced", "Few pieces, few pages and few strips"},
-    Choice{"Easiest to glue", "Few slits, so few joint strips"},
 };
 constexpr std::array facet_choices{
     Choice{"Surfaces", "Surfaces cut into triangles within the tolerance"},
@@ -319,10 +314,9 @@ void draw_paper_properties(PanelContext& context) {
   page_rows(context);
   heading(context, "Cuts and folds");
   const PaperModel now = paper_choices_of(context.editor.document());
-  if (const auto chosen =
-          choose(context, "paper_goal", "Aim at", "What matters most when cuts are looked for", goal_choices,
-                 static_cast<int>(now.goal)))
-    set(context, "Aim of the cuts", [&](PaperModel& paper) { paper.goal = static_cast<CutGoal>(*chosen); });
+  if (const auto chosen = choose(context, "paper_goal", "Aim at",
+                                 "What matters most when cuts are looked for", std::optional(now.goal)))
+    set(context, "Aim of the cuts", [&](PaperModel& paper) { paper.goal = *chosen; });
   effort_row(context);
   fold_rows(context);
 }

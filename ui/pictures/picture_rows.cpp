@@ -2,33 +2,17 @@
 
 #include <imgui.h>
 
-#include <array>
 #include <filesystem>
+#include <vector>
 
 #include "core/base/text/sanitized_utf8.hpp"
-#include "ui/widgets/choice.hpp"
+#include "ui/widgets/enum_labels.hpp"
 #include "ui/widgets/tips.hpp"
 #include "ui/widgets/value_fields.hpp"
 
 namespace hariko {
 
 namespace {
-
-constexpr std::array layer_choices{
-    Choice{"In space", "Its plane lies among the surfaces"},
-    Choice{"Behind", "Behind all that is modelled"},
-    Choice{"In front", "Before all that is modelled"},
-};
-/// In the order of `PictureSide`; the last one is no choice.
-constexpr std::array plane_choices{
-    Choice{"Front", "A view from the front sees it squarely"},
-    Choice{"Back", "A view from the back sees it squarely"},
-    Choice{"Left", "A view from the left sees it squarely"},
-    Choice{"Right", "A view from the right sees it squarely"},
-    Choice{"Top", "A view from above sees it squarely"},
-    Choice{"Bottom", "A view from below sees it squarely"},
-    Choice{"Aslant", "Turned by hand"},
-};
 
 using ChangeLook = std::function<void(const Object&, PictureLook&)>;
 
@@ -80,13 +64,14 @@ void picture_file_row(PanelContext& context, const Object& object) {
 }
 
 void plane_rows(PanelContext& context, const Objects& pictures) {
-  constexpr int aslant = static_cast<int>(plane_choices.size()) - 1;
+  constexpr auto& sides = enum_choices<PictureSide>;
+  constexpr int aslant = static_cast<int>(sides.size());
   const auto plane = common<int>(pictures, [](const auto& object) {
     const auto side = faced_side(object->transform.rotation);
     return side ? static_cast<int>(*side) : aslant;
   });
-  const auto offered = plane == aslant ? std::span<const Choice>(plane_choices)
-                                       : std::span<const Choice>(plane_choices).first(aslant);
+  std::vector<Choice> offered(sides.begin(), sides.end());
+  if (plane == aslant) offered.push_back({translatable("Aslant"), translatable("Turned by hand")});
   const auto chosen =
       choose(context, "picture_plane", "Plane", "Which view sees it squarely", offered, plane.value_or(-1));
   if (chosen && *chosen != aslant && chosen != plane) {
@@ -141,12 +126,12 @@ void picture_section(PanelContext& context, const Objects& objects) {
                  look.opacity = change.apply(opacity, look.opacity);
                });
              });
-  const auto layer = common<int>(
-      pictures, [](const auto& object) { return static_cast<int>(object->picture()->look.layer); });
-  if (const auto chosen = choose(context, "picture_layer", "Drawn", "Before or after what is modelled",
-                                 layer_choices, layer.value_or(-1)))
+  const auto layer =
+      common<PictureLayer>(pictures, [](const auto& object) { return object->picture()->look.layer; });
+  if (const auto chosen =
+          choose(context, "picture_layer", "Drawn", "Before or after what is modelled", layer))
     set_looks(context, pictures, translatable("Picture behind or in front"),
-              [&](const Object&, PictureLook& look) { look.layer = static_cast<PictureLayer>(*chosen); });
+              [&](const Object&, PictureLook& look) { look.layer = *chosen; });
   plane_rows(context, pictures);
   picture_button(context, "Find missing pictures\u2026", "picture.find");
   picture_button(context, "Scale by two points", "picture.scale");

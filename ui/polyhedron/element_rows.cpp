@@ -4,17 +4,12 @@
 
 #include "core/document/edits/edits.hpp"
 #include "ui/polyhedron/attachment_rows.hpp"
-#include "ui/widgets/choice.hpp"
+#include "ui/widgets/enum_labels.hpp"
 
 namespace hariko {
 
 namespace {
 
-constexpr std::array tag_choices{
-    Choice{"Automatic", "A corner where creases or the border demand it"},
-    Choice{"Corner", "Every curve ends here with its own direction"},
-    Choice{"Smooth", "Creases and the border run smoothly through"},
-};
 constexpr std::array<const char*, 3> axis_names{"x", "y", "z"};
 
 /// "vertex" or "{0} vertices" filled.
@@ -105,10 +100,8 @@ void vertex_section(PanelContext& context, const SelectedIds<VertexId>& selected
              });
   const auto tag =
       common<VertexTag>(ids, [&](VertexId id) { return shaping.tag.get_or(id, VertexTag::automatic); });
-  if (const auto chosen = choose(context, "tag", "Corner", "How creases and the border pass the vertex",
-                                 tag_choices, tag ? static_cast<int>(*tag) : -1))
-    context.editor.commit(set_vertex_tag(context.editor.history.current(), selected.object->id, ids,
-                                         static_cast<VertexTag>(*chosen)),
+  if (const auto chosen = choose(context, "tag", "Corner", "How creases and the border pass the vertex", tag))
+    context.editor.commit(set_vertex_tag(context.editor.history.current(), selected.object->id, ids, *chosen),
                           counted("Tag of vertex", "Tag of {0} vertices", ids.size()));
   pin_row(context, selected);
   position_rows(context, selected);

@@ -9,6 +9,7 @@
 #include "ui/base/fuzzy.hpp"
 #include "ui/base/icons.hpp"
 #include "ui/editor/command_search.hpp"
+#include "ui/editor/saved_views.hpp"
 #include "ui/widgets/command_menu.hpp"
 #include "ui/widgets/overlay_window.hpp"
 
@@ -60,6 +61,14 @@ std::vector<CommandPalette::Row> CommandPalette::rows(const PanelContext& contex
     row.label = object->name;
     row.path = tr("Objects");
     row.detail = tr("Choose this object and come close to it.");
+    out.push_back(std::move(row));
+  }
+  for (const SavedView& view : *context.editor.document().saved_views) {
+    if (fuzzy_score(text_, view.name) <= 0) continue;
+    Row row;
+    row.view = row.label = view.name;
+    row.path = tr("Saved views");
+    row.detail = tr("Go to this view.");
     out.push_back(std::move(row));
   }
   return out;
@@ -144,7 +153,9 @@ void CommandPalette::draw_rows(PanelContext& context, const std::vector<Row>& ro
 
 bool CommandPalette::draw_row(PanelContext& context, const Row& row, bool selected) const {
   const Metrics& m = context.metrics;
-  const std::string id = row.command ? row.command->id : "object:" + std::to_string(row.object.value);
+  const std::string id = row.command        ? row.command->id
+                         : row.view.empty() ? "object:" + std::to_string(row.object.value)
+                                            : "view:" + row.view;
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const ImVec2 size(ImGui::GetContentRegionAvail().x, m.px(palette_row));
   ImGui::PushID(id.c_str());
@@ -180,6 +191,7 @@ void CommandPalette::choose(PanelContext& context, const Row& row) {
   if (!row.command) {
     close();
     Editor& editor = context.editor;
+    if (!row.view.empty()) return void(go_to_view(editor, row.view));
     const Object* object = editor.document().find(row.object);
     if (!object) return;
     editor.selection.clear_elements();

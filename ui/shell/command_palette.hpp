@@ -20,10 +20,11 @@ class CommandPalette {
   void draw(PanelContext& context, float top);
 
  private:
-  /// A command, or an object to go to.
+  /// A command, an object to go to, or a saved view.
   struct Row {
     const Command* command = nullptr;
     ObjectId object{};
+    std::string view = {};  ///< name of a saved view
     std::string label, path, detail, keys;
     bool refused = false;  ///< `detail` is the reason
   };

@@ -83,10 +83,7 @@ void export_for_cad(CommandHost& host, const Arguments& given) {
   if (!cad_format_of(path)) return host.editor.notify(wrong_ending(path, cad_endings));
   CadSettings settings;
   CadChoices& choices = settings.choices;
-  const std::string& quality = given.text("quality");
-  choices.quality = quality == "light"  ? CadQuality::light
-                    : quality == "fine" ? CadQuality::fine
-                                        : CadQuality::balanced;
+  choices.quality = enum_value<CadQuality>(given.text("quality")).value_or(CadQuality::balanced);
   if (given.has("tolerance")) choices.tolerance = given.number("tolerance");
   if (given.has("angle")) choices.angle = given.number("angle") * std::numbers::pi / 180;
   if (given.has("unit")) choices.unit = unit_named(given.text("unit"));
@@ -138,7 +135,7 @@ void use_exports(CommandHost& host) {
   host.table.use_in_scripts(
       "file.export_cad",
       {.arguments = arguments_to_export(
-           {word_argument("quality", "of faces that cannot be exact", {"light", "balanced", "fine"},
+           {word_argument("quality", "of faces that cannot be exact", enum_word_list<CadQuality>(),
                           "balanced"),
             optional(length_argument("tolerance", "largest distance, instead of the quality's", {}, least)),
             optional(angle_argument("angle", "largest between faces, instead of the quality's", {})),

@@ -35,11 +35,8 @@ void duplicate(Editor& editor) {
 
 void isolate(Editor& editor) {
   const auto ids = chosen_ids(editor);
-  Result<Document> result = editor.history.current();
-  for (const auto& object : editor.history.current().objects)
-    if (result.ok())
-      result = set_visible(*result, object->id, std::find(ids.begin(), ids.end(), object->id) != ids.end());
-  editor.commit(result, counted_step("Isolate object", "Isolate {0} objects", ids.size()));
+  editor.commit(showing_only(editor.history.current(), ids),
+                counted_step("Isolate object", "Isolate {0} objects", ids.size()));
 }
 
 void hide_chosen(Editor& editor) {
@@ -57,15 +54,14 @@ void show_hidden(Editor& editor) {
   std::vector<ObjectId> hidden;
   for (const auto& object : editor.history.current().objects)
     if (!object->visible) hidden.push_back(object->id);
-  edit_each(editor, hidden, "Show all objects",
-            [](const Document& document, ObjectId id) { return set_visible(document, id, true); });
+  editor.commit(show_objects(editor.history.current(), hidden), "Show all objects");
 }
 
 void show_named(Editor& editor, const std::vector<std::string>& names) {
   const auto ids = objects_named(editor.history.current(), names);
   if (!ids) return editor.notify(ids.error());
-  edit_each(editor, *ids, counted_step("Show object", "Show {0} objects", ids->size()),
-            [](const Document& document, ObjectId id) { return set_visible(document, id, true); });
+  editor.commit(show_objects(editor.history.current(), *ids),
+                counted_step("Show object", "Show {0} objects", ids->size()));
 }
 
 void lock_chosen(Editor& editor, bool lock) {
@@ -91,18 +87,11 @@ void delete_chosen(Editor& editor) {
 /// All chosen objects one place up or down.
 void move_in_order(Editor& editor, bool down) {
   const auto ids = chosen_ids(editor);
-  const auto& objects = editor.history.current().objects;
-  const auto is_chosen = [&](const auto& object) {
-    return std::find(ids.begin(), ids.end(), object->id) != ids.end();
-  };
-  const auto first =
-      static_cast<std::size_t>(std::find_if(objects.begin(), objects.end(), is_chosen) - objects.begin());
-  const auto last =
-      objects.size() - 1 -
-      static_cast<std::size_t>(std::find_if(objects.rbegin(), objects.rend(), is_chosen) - objects.rbegin());
-  const std::size_t place =
-      down ? std::min(last + 2, objects.size()) : first - std::min<std::size_t>(first, 1);
-  editor.commit(reorder_objects(editor.history.current(), ids, place), "Reorder objects");
+  const Document& document = editor.history.current();
+  const GroupId group = editor.chosen_group.chosen(editor);
+  const Member inside = group == GroupId{} ? Member(ids.front()) : Member(group);
+  editor.commit(shift_members(document, GroupTree(document).members_of(ids, inside), down),
+                "Reorder objects");
 }
 
 WhyNot needs_others(const Editor& editor) {
@@ -161,7 +150,7 @@ void add_visibility_commands(CommandTable& table, Editor& editor, const WhyNot& 
                         .run = [&editor](const Arguments& given) { lock_chosen(editor, given.on("on")); },
                         .read =
                             [](const Object& object) {
-                              return std::vector{written_switch("on", object.locked)};
+                              return std::vector{written_switch("on", object.locked_itself())};
                             }}});
 }
 

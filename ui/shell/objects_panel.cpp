@@ -1,15 +1,17 @@
-// The outliner: objects of the document in order. Rename, hide, lock, choose and drag them.
+// The outliner: objects of the document in their groups. Rename, hide, lock, choose and drag them.
 
 #include <imgui.h>
 #include <imgui_stdlib.h>
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "core/base/text/natural_order.hpp"
 #include "ui/base/fuzzy.hpp"
 #include "ui/base/icons.hpp"
 #include "ui/editor/selected_items.hpp"
+#include "ui/shell/outliner_rows.hpp"
 #include "ui/widgets/overlay_window.hpp"
 #include "ui/widgets/panels.hpp"
 #include "ui/widgets/tips.hpp"
@@ -18,8 +20,6 @@
 namespace hariko {
 
 namespace {
-
-constexpr const char* drag_kind = "objects";
 
 bool chosen(const Editor& editor, ObjectId id) {
   return id == editor.selection.active || editor.selection.objects().contains(id);
@@ -175,37 +175,43 @@ void context_menu(PanelContext& context, const Object& object) {
   ImGui::EndPopup();
 }
 
-/// Carries rows to another place: the upper half of a row means before it, the lower half after it.
-void drag_and_drop(PanelContext& context, const Object& object, std::size_t index) {
+/// Lock and eye at the right end of a row: the object's own switches.
+void object_switches(PanelContext& context, const Object& object, bool hovered, float right) {
   Editor& editor = context.editor;
-  const float height = ImGui::GetItemRectSize().y;
-  const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
-  if (ImGui::BeginDragDropSource()) {
-    if (!chosen(editor, object.id)) click_row(context, object.id);
-    ImGui::SetDragDropPayload(drag_kind, nullptr, 0);
-    ImGui::TextUnformatted(object.name.c_str());
-    ImGui::EndDragDropSource();
-  }
-  if (!ImGui::BeginDragDropTarget()) return;
-  const bool after = ImGui::GetMousePos().y > low.y + height / 2;
-  const float y = after ? high.y : low.y;
-  ImGui::GetForegroundDrawList()->AddLine({low.x, y}, {high.x, y}, palette().secondary,
-                                          context.metrics.px(2));
-  if (ImGui::AcceptDragDropPayload(drag_kind, ImGuiDragDropFlags_AcceptNoDrawDefaultRect)) {
-    const auto ids = chosen_ids(editor);
-    editor.commit(reorder_objects(editor.history.current(), ids, after ? index + 1 : index),
-                  "Reorder objects");
-  }
-  ImGui::EndDragDropTarget();
+  const Metrics& m = context.metrics;
+  const bool locked = object.locked_itself(), visible = object.visible_itself();
+  // The keyboard finds it as well: what comes with the pointer alone would be gone again under its ring.
+  const bool has_lock =
+      locked || hovered || (ImGui::GetIO().ConfigFlags & ImGuiConfigFlags_NavEnableKeyboard) != 0;
+  if (row_switch(context, locked ? icon::locked : icon::unlocked, "lock", locked ? "Unlock" : "Lock",
+                 has_lock, right - m.px(52)))
+    editor.commit(set_locked(editor.history.current(), object.id, !locked),
+                  locked ? "Unlock object" : "Lock object");
+  if (has_lock) context.marks.item("lock." + std::to_string(object.id.value));
+  ImGui::SameLine(right - m.px(26));
+  if (icon_button(context, visible ? icon::shown : icon::hidden, "visible", visible ? "Hide" : "Show", false,
+                  24))
+    editor.commit(set_visible(editor.history.current(), object.id, !visible),
+                  visible ? "Hide object" : "Show object");
+  context.marks.item("eye." + std::to_string(object.id.value));
 }
 
-void object_row(PanelContext& context, const Object& object, std::size_t index) {
+/// An object that is dragged is chosen, if it is not yet.
+void drag_object_row(PanelContext& context, const Document& document, const Object& object) {
+  drag_row(context, document, object.id, object.name);
+  const bool carried = ImGui::IsItemActive() && ImGui::GetDragDropPayload();
+  if (carried && !chosen(context.editor, object.id)) click_row(context, object.id);
+}
+
+void object_row(PanelContext& context, const Document& document, const OutlinerRow& row) {
+  const Object& object = *document.objects[row.index];
   Editor& editor = context.editor;
   const Metrics& m = context.metrics;
   OutlinerState& state = context.state.outliner;
   ImGui::PushID(static_cast<int>(object.id.value));
   const float side = m.px(26);
   const float left = ImGui::GetCursorPosX(), right = left + ImGui::GetContentRegionAvail().x;
+  const float begin = left + row_indent(m, row.depth);
   const bool renaming = state.renaming == object.id;
   const bool pressed = ImGui::Selectable(
       "##row", chosen(editor, object.id),
@@ -219,14 +225,15 @@ void object_row(PanelContext& context, const Object& object, std::size_t index) 
   const bool hovered = ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem);
   ImGui::SetItemAllowOverlap();
   // Another order is for finding, and has no places to drop at.
+  draw_group_mark(context, document, object.group);
   if (state.order == OutlinerState::Order::document && state.search.empty())
-    drag_and_drop(context, object, index);
+    drag_object_row(context, document, object);
   context_menu(context, object);
-  ImGui::SameLine(left + m.px(6));
+  ImGui::SameLine(begin + m.px(6));
   ImGui::AlignTextToFramePadding();
   const TextColour colour(object.visible ? palette().text : palette().dim_text);
   ImGui::TextUnformatted(object.picture() ? icon::picture : object.mesh() ? icon::mesh : icon::object);
-  ImGui::SameLine(left + m.px(28));
+  ImGui::SameLine(begin + m.px(28));
   const bool mirrored = object.polyhedron() && object.polyhedron()->mirror;
   const float name_end = right - m.px(mirrored ? 106.0F : 84.0F);
   if (renaming) {
@@ -236,20 +243,7 @@ void object_row(PanelContext& context, const Object& object, std::size_t index) 
   }
   if (mirrored) mirror_badge(context, object, right - m.px(100));
   badge(context, editor.view_of(object.id), right - m.px(78));
-  // The keyboard finds it as well: what comes with the pointer alone would be gone again under its ring.
-  const bool has_lock =
-      object.locked || hovered || (ImGui::GetIO().ConfigFlags & ImGuiConfigFlags_NavEnableKeyboard) != 0;
-  if (row_switch(context, object.locked ? icon::locked : icon::unlocked, "lock",
-                 object.locked ? "Unlock" : "Lock", has_lock, right - m.px(52)))
-    editor.commit(set_locked(editor.history.current(), object.id, !object.locked),
-                  object.locked ? "Unlock object" : "Lock object");
-  if (has_lock) context.marks.item("lock." + std::to_string(object.id.value));
-  ImGui::SameLine(right - m.px(26));
-  if (icon_button(context, object.visible ? icon::shown : icon::hidden, "visible",
-                  object.visible ? "Hide" : "Show", false, 24))
-    editor.commit(set_visible(editor.history.current(), object.id, !object.visible),
-                  object.visible ? "Hide object" : "Show object");
-  context.marks.item("eye." + std::to_string(object.id.value));
+  object_switches(context, object, hovered, right);
   ImGui::PopID();
 }
 
@@ -269,9 +263,11 @@ void arrow_keys(PanelContext& context) {
   click_row(context, rows[static_cast<std::size_t>(next)], {ImGui::GetIO().KeyShift, false});
 }
 
-/// The rows that are shown, in their order: places in the document.
-std::vector<std::size_t> rows_of(const Document& document, const OutlinerState& state) {
+/// The rows that are shown, in their order. Where they are searched or sorted, groups do not show.
+std::vector<OutlinerRow> rows_of(const Document& document, OutlinerState& state) {
   using Order = OutlinerState::Order;
+  if (!document.groups->empty() && state.search.empty() && state.order == Order::document)
+    return rows_by_groups(document, state);
   std::vector<std::size_t> rows;
   for (std::size_t i = 0; i < document.objects.size(); ++i)
     if (state.search.empty() || fuzzy_score(state.search, document.objects[i]->name) > 0) rows.push_back(i);
@@ -289,7 +285,9 @@ std::vector<std::size_t> rows_of(const Document& document, const OutlinerState& 
     }
   };
   std::stable_sort(rows.begin(), rows.end(), before);
-  return rows;
+  std::vector<OutlinerRow> out;
+  for (const std::size_t i : rows) out.push_back({document.objects[i]->id, i, 0});
+  return out;
 }
 
 constexpr std::array order_names{translatable("In order"), translatable("By name"), translatable("By kind"),
@@ -319,8 +317,37 @@ void search_row(PanelContext& context) {
   ImGui::EndCombo();
 }
 
+std::size_t row_count(const Document& document) {
+  return document.objects.size() + document.groups->size();
+}
+
 bool many(const Document& document) {
   return document.objects.size() >= many_objects;
+}
+
+/// Makes the name of the chosen group, else that of the active object, a field.
+void start_wanted_renaming(PanelContext& context, const Document& document) {
+  Editor& editor = context.editor;
+  OutlinerState& state = context.state.outliner;
+  editor.rename_wanted = false;
+  if (const Group* group = find_group(*document.groups, editor.chosen_group.chosen(editor)))
+    return rename_in_row(state, *group);
+  state.shown_active = {};  // its row comes into sight
+  if (const Object* object = document.find(editor.selection.active)) start_renaming(context, *object);
+}
+
+/// Scrolls to what was chosen in the view.
+void bring_into_sight(const Editor& editor, OutlinerState& state, const std::vector<OutlinerRow>& rows,
+                      float row) {
+  const auto active = std::find_if(rows.begin(), rows.end(), [&](const OutlinerRow& one) {
+    return one.member == Member(editor.selection.active);
+  });
+  if (state.shown_active != editor.selection.active && active != rows.end()) {
+    const float y = row * static_cast<float>(active - rows.begin());
+    if (y < ImGui::GetScrollY() || y + row > ImGui::GetScrollY() + ImGui::GetWindowHeight())
+      ImGui::SetScrollY(y - ImGui::GetWindowHeight() / 2);
+  }
+  state.shown_active = editor.selection.active;
 }
 
 }  // namespace
@@ -334,7 +361,7 @@ float objects_height(const PanelContext& context, float available) {
   if (wanted > 0) return std::clamp(m.px(wanted), m.px(least), std::max(m.px(least), by_hand * available));
   const Document& document = context.editor.document();
   const float rows =
-      m.px(heading + row * static_cast<float>(document.objects.size()) + (many(document) ? search : 0));
+      m.px(heading + row * static_cast<float>(row_count(document)) + (many(document) ? search : 0));
   return std::clamp(rows, m.px(least), std::max(m.px(240), by_itself * available));
 }
 
@@ -352,14 +379,14 @@ void draw_objects(PanelContext& context, const PanelRect& rect) {
       state.search.clear();
       state.order = OutlinerState::Order::document;
     }
-    const std::vector<std::size_t> rows = rows_of(document, state);
+    // Another document has other groups under the same ids.
+    if (std::exchange(state.documents, editor.documents) != editor.documents) state.folded.clear();
+    if (editor.rename_wanted) start_wanted_renaming(context, document);
+    if (state.shown_active != editor.selection.active) unfold_round(document, state, editor.selection.active);
+    const std::vector<OutlinerRow> rows = rows_of(document, state);
     state.shown.clear();
-    for (const std::size_t i : rows) state.shown.push_back(document.objects[i]->id);
-    if (editor.rename_wanted) {
-      editor.rename_wanted = false;
-      state.shown_active = {};  // its row comes into sight
-      if (const Object* object = document.find(editor.selection.active)) start_renaming(context, *object);
-    }
+    for (const OutlinerRow& row : rows)
+      if (const ObjectId* object = std::get_if<ObjectId>(&row.member)) state.shown.push_back(*object);
     if (document.objects.empty())
       hint_text(context, "Nothing here yet. Add a shape, or drop a mesh on the window.");
     else if (rows.empty())
@@ -367,21 +394,18 @@ void draw_objects(PanelContext& context, const PanelRect& rect) {
     ImGui::BeginChild("rows", {0, 0}, false, ImGuiWindowFlags_NavFlattened);
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(m.px(4), m.px(2)));
     const float row = m.px(28);
-    const auto active = std::find(state.shown.begin(), state.shown.end(), editor.selection.active);
-    // What was chosen in the view comes into sight here.
-    if (state.shown_active != editor.selection.active && active != state.shown.end()) {
-      const float y = row * static_cast<float>(active - state.shown.begin());
-      if (y < ImGui::GetScrollY() || y + row > ImGui::GetScrollY() + ImGui::GetWindowHeight())
-        ImGui::SetScrollY(y - ImGui::GetWindowHeight() / 2);
-    }
-    state.shown_active = editor.selection.active;
+    bring_into_sight(editor, state, rows, row);
     ImGuiListClipper clipper;
     clipper.Begin(static_cast<int>(rows.size()), row);
     while (clipper.Step())
       for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
-        const std::size_t index = rows[static_cast<std::size_t>(i)];
-        object_row(context, *document.objects[index], index);
+        const OutlinerRow& one = rows[static_cast<std::size_t>(i)];
+        if (std::holds_alternative<GroupId>(one.member))
+          draw_group_row(context, document, one);
+        else
+          object_row(context, document, one);
       }
+    if (!document.groups->empty()) drop_below_rows(context, document);
     arrow_keys(context);
     ImGui::PopStyleVar();
     ImGui::EndChild();

@@ -51,14 +51,19 @@ bool by_key(PanelContext& context, const std::string& id) {
 void recovery_card(PanelContext& context, const RecoveryOffer& offer, float width) {
   const Metrics& m = context.metrics;
   const Language& tr = context.tr;
-  const float height = m.px(card_height), radius = m.px(6), picture_width = height * offer.aspect;
+  const float height = m.px(card_height), radius = m.px(6), gap = ImGui::GetStyle().ItemSpacing.x;
+  // In a narrow window the buttons need the room of the picture.
+  const float wide = height * offer.aspect, both = 2 * m.px(110) + gap + m.px(32);
+  const float picture_width = wide + both <= width ? wide : 0;
   const ImVec2 at = ImGui::GetCursorScreenPos();
   ImDrawList& draw = *ImGui::GetWindowDrawList();
   draw.AddRectFilled(at, {at.x + width, at.y + height}, palette().panel, radius);
-  picture(offer.picture, at, {at.x + picture_width, at.y + height}, radius, ImDrawFlags_RoundCornersLeft);
+  if (picture_width > 0)
+    picture(offer.picture, at, {at.x + picture_width, at.y + height}, radius, ImDrawFlags_RoundCornersLeft);
 
   const float left = at.x + picture_width + m.px(16), line = ImGui::GetTextLineHeight() + m.px(4);
-  const float text_width = at.x + width - left - m.px(16);
+  const float text_width = at.x + width - left - m.px(16),
+              button = std::min(m.px(110), (text_width - gap) / 2);
   float y = at.y + m.px(10);
   fitted_text({left, y}, text_width, palette().text, title_of(tr, offer));
   y += line;
@@ -76,13 +81,13 @@ void recovery_card(PanelContext& context, const RecoveryOffer& offer, float widt
   ImGui::SetCursorScreenPos({left, at.y + height - ImGui::GetFrameHeight() - m.px(10)});
   if (!offer.damaged) {
     ImGui::PushStyleColor(ImGuiCol_Button, with_alpha(palette().accent, 0.35F));
-    const bool pressed = ImGui::Button(tr("Recover"), {m.px(110), 0});
+    const bool pressed = ImGui::Button(tr("Recover"), {button, 0});
     context.marks.item("recovery.recover");
     if (by_key(context, "recover." + offer.id) || pressed) context.application.recover(offer.id);
     ImGui::PopStyleColor();
     ImGui::SameLine();
   }
-  const bool discarded = ImGui::Button(tr("Discard"), {m.px(110), 0});
+  const bool discarded = ImGui::Button(tr("Discard"), {button, 0});
   context.marks.item("recovery.discard");
   if (by_key(context, "discard." + offer.id) || discarded) context.application.discard_recovery(offer.id);
   ImGui::PopID();

@@ -49,7 +49,6 @@ class Preferences {
  private:
   void draw_pages(PanelContext& context);
   void draw_page(PanelContext& context);
-  void reset_page(Settings& settings) const;
 
   bool open_ = false, focus_ = false;
   Page page_ = Page::interface;

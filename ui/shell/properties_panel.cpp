@@ -21,7 +21,7 @@
 #include "ui/shell/message_list.hpp"
 #include "ui/skin/skin_properties.hpp"
 #include "ui/solids/solids_properties.hpp"
-#include "ui/widgets/choice.hpp"
+#include "ui/widgets/enum_labels.hpp"
 #include "ui/widgets/tips.hpp"
 #include "ui/widgets/value_fields.hpp"
 
@@ -29,25 +29,15 @@ namespace hariko {
 
 namespace {
 
-constexpr std::array mode_choices{
-    Choice{"Fair", "Balances the curvature inside the faces: the smoothest result"},
-    Choice{"G2", "Curvature runs on without a break over edges and through vertices"},
-    Choice{"Local", "Each face follows its own boundary curves alone: the quickest to compute"},
-    Choice{"As published", "The construction as first published"},
-};
-constexpr std::array mode_steps{"Surface Fair", "Surface G2", "Surface Local", "Surface as published"};
-constexpr std::array<Mode, 4> modes{Mode::fair, Mode::g2, Mode::target, Mode::paper};
+/// Modes as the list has them, with their steps.
+constexpr std::array modes{std::pair(Mode::fair, "Surface Fair"), std::pair(Mode::g2, "Surface G2"),
+                           std::pair(Mode::target, "Surface Local"),
+                           std::pair(Mode::paper, "Surface as published")};
 constexpr std::array mirror_choices{
     Choice{"None", "All of the object is modelled"},
     Choice{"Across X", "The plane x = 0 of the object"},
     Choice{"Across Y", "The plane y = 0 of the object"},
     Choice{"Across Z", "The plane z = 0 of the object"},
-};
-constexpr std::array unit_choices{
-    Choice{"Millimetres", ""},
-    Choice{"Centimetres", ""},
-    Choice{"Metres", ""},
-    Choice{"Inches", ""},
 };
 
 // The document.
@@ -55,26 +45,23 @@ constexpr std::array unit_choices{
 void document_section(PanelContext& context) {
   Editor& editor = context.editor;
   heading(context, "Document");
-  const auto current = static_cast<int>(editor.document().unit);
+  const Unit current = editor.document().unit;
   row_label(context, "Unit", "The unit of all lengths of the document");
   ImGui::SetNextItemWidth(-1);
-  const bool open =
-      ImGui::BeginCombo("##unit", context.tr(unit_choices[static_cast<std::size_t>(current)].label));
+  const bool open = ImGui::BeginCombo("##unit", context.tr(enum_choice(current).label));
   context.marks.item("combo.unit");
   if (!open) return;
   const auto offers = [&](const char* title, const char* id, const char* step, bool converts) {
     heading(context, title);
-    for (int i = 0; i < static_cast<int>(unit_choices.size()); ++i) {
-      if (i == current) continue;
-      const char* name = unit_choices[static_cast<std::size_t>(i)].label;
-      ImGui::PushID(2 * i + converts);
-      if (ImGui::Selectable(context.tr(name))) {
+    for (const Unit unit : enum_values<Unit>()) {
+      if (unit == current) continue;
+      ImGui::PushID(2 * static_cast<int>(unit) + converts);
+      if (ImGui::Selectable(context.tr(enum_choice(unit).label))) {
         const Document& document = editor.history.current();
-        const auto unit = static_cast<Unit>(i);
         editor.commit(converts ? convert_unit(document, unit) : Result<Document>(set_unit(document, unit)),
                       step);
       }
-      context.marks.item(std::string("unit.") + id + "." + std::string(to_string(static_cast<Unit>(i))));
+      context.marks.item(std::string("unit.") + id + "." + std::string(to_string(unit)));
       ImGui::PopID();
     }
   };
@@ -195,15 +182,20 @@ void mode_row(PanelContext& context, const Objects& objects) {
     if (object->polyhedron()) polyhedra.push_back(object);
   if (polyhedra.empty()) return;
   const auto mode = common<Mode>(polyhedra, [](const auto& object) { return object->polyhedron()->mode; });
-  const int current =
-      mode ? static_cast<int>(std::find(modes.begin(), modes.end(), *mode) - modes.begin()) : -1;
+  std::array<Choice, modes.size()> choices{};
+  int current = -1;
+  for (std::size_t i = 0; i < modes.size(); ++i) {
+    choices[i] = enum_choice(modes[i].first);
+    if (mode == modes[i].first) current = static_cast<int>(i);
+  }
   const auto chosen =
-      choose(context, "mode", "Surface", "How the surface spans the curves", mode_choices, current);
+      choose(context, "mode", "Surface", "How the surface spans the curves", choices, current);
   if (!chosen) return;
+  const auto& [wanted, step] = modes[static_cast<std::size_t>(*chosen)];
   Result<Document> result = context.editor.history.current();
   for (const auto& object : polyhedra)
-    if (result.ok()) result = set_mode(*result, object->id, modes[static_cast<std::size_t>(*chosen)]);
-  context.editor.commit(result, mode_steps[static_cast<std::size_t>(*chosen)]);
+    if (result.ok()) result = set_mode(*result, object->id, wanted);
+  context.editor.commit(result, step);
 }
 
 /// The live mirror: its plane, and making the image the object's own.

@@ -5,6 +5,7 @@
 
 #include "core/document/edits/edit_skin.hpp"
 #include "ui/editor/skin_view.hpp"
+#include "ui/shell/preference_rows.hpp"
 #include "ui/shell/property_scripts.hpp"
 #include "ui/shell/shell_commands.hpp"
 #include "ui/shell/workbench.hpp"
@@ -154,38 +155,6 @@ std::string menu_of(Has has) {
 
 constexpr const char* in_preferences = translatable("A choice for the program, in the preferences.");
 
-/// Settings of the preferences, by the page where it stands.
-struct Preference {
-  const char *id, *label, *help;
-  Preferences::Page page;
-};
-
-constexpr std::array preferences{
-    Preference{"theme", translatable("Theme"), in_preferences, Preferences::Page::interface},
-    Preference{"interface_scale", translatable("Scale"), translatable("On top of the scale of the monitor."),
-               Preferences::Page::interface},
-    Preference{"language", translatable("Language"), in_preferences, Preferences::Page::interface},
-    Preference{"navigation", translatable("Mouse buttons as in"), in_preferences,
-               Preferences::Page::navigation},
-    Preference{"turning", translatable("Turning"), in_preferences, Preferences::Page::navigation},
-    Preference{"zoom_to_cursor", translatable("Zoom towards the pointer"), in_preferences,
-               Preferences::Page::navigation},
-    Preference{"invert_wheel", translatable("Turn the wheel the other way"), in_preferences,
-               Preferences::Page::navigation},
-    Preference{"orbit_selection", translatable("Orbit about the selection"), in_preferences,
-               Preferences::Page::navigation},
-    Preference{"orbit_speed", translatable("Orbit speed"), in_preferences, Preferences::Page::navigation},
-    Preference{"zoom_speed", translatable("Zoom speed"), in_preferences, Preferences::Page::navigation},
-    Preference{"unit", translatable("Unit of new documents"),
-               translatable("A document keeps its own unit; it is in its properties."),
-               Preferences::Page::units},
-    Preference{"autosave", translatable("Save a copy for recovery every"), in_preferences,
-               Preferences::Page::files},
-    Preference{"colours", translatable("Maps for colour-blind eyes"), in_preferences,
-               Preferences::Page::colours},
-    Preference{"keys", translatable("Keys"), in_preferences, Preferences::Page::keys},
-};
-
 /// Choices of the first rows of skins, made without a look for their list.
 void add_skin_choices(CommandHost& host) {
   Editor& editor = host.editor;
@@ -210,10 +179,10 @@ void add_property_commands(CommandHost& host, Workbench& workbench) {
         row.id, menu_of(row.has), row.label, row.help,
         [&workbench, id = row.id] { workbench.show_property(id); }, needs(host.editor, row.has)));
   add_skin_choices(host);
-  for (const Preference& row : preferences)
-    host.table.add(property(std::string("preferences.") + row.id, translatable("Preferences"), row.label,
-                            row.help, [&workbench, page = row.page] { workbench.show_preferences(page); },
-                            {}));
+  for (const PreferenceRow& row : preference_rows())
+    host.table.add(property(std::string("preferences.") + row.member, translatable("Preferences"), row.label,
+                            *row.note ? row.note : in_preferences,
+                            [&workbench, page = row.page] { workbench.show_preferences(page); }, {}));
   use_properties_in_scripts(host);
 }
 

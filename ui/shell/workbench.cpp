@@ -62,6 +62,7 @@ void Workbench::add_commands() {
   add_file_commands(host_, *this);
   add_edit_commands(host_);
   add_object_commands(host_);
+  add_group_commands(host_);
   add_arrange_commands(host_);
   add_record_commands(host_, *this);
   add_preferences_commands(host_, *this);
@@ -80,8 +81,10 @@ void Workbench::add_commands() {
   add_skin_commands(host_);
   add_paper_commands(host_);
   add_view_commands(host_);
+  add_saved_view_commands(host_);
   add_plane_commands(host_);
   add_analyse_commands(host_);
+  add_section_curve_commands(host_);
   add_measure_commands(host_);
   add_start_commands(host_);
   add_language_commands(host_);
@@ -301,6 +304,17 @@ bool Workbench::navigation_key(const KeyChord& chord) {
     return true;
   }
   return keyboard_.navigates(preferences_.is_open()) && !text_field_active() && keyboard_.item_key(chord);
+}
+
+void Workbench::cap(const CapMotion& motion) {
+  if (!prompt_.is_open() && !files_.is_open() && !offers_dialog_.is_open() && !palette_.is_open())
+    cap_.move(editor_, motion);
+}
+
+void Workbench::cap_button(int number) {
+  if (prompt_.is_open() || files_.is_open() || offers_dialog_.is_open()) return;
+  if (number == 0) palette_.is_open() ? palette_.close() : palette_.open();
+  if (number == 1 && !palette_.is_open() && editor_.has_document) commands_.run("view.frame_all");
 }
 
 void Workbench::key(const KeyPress& press) {

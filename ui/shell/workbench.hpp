@@ -17,6 +17,7 @@
 #include "ui/shell/offers_panel.hpp"
 #include "ui/shell/preferences.hpp"
 #include "ui/shell/start_page.hpp"
+#include "ui/view/cap_motion.hpp"
 #include "ui/view/viewport.hpp"
 #include "ui/widgets/application_services.hpp"
 #include "ui/widgets/command_services.hpp"
@@ -49,6 +50,10 @@ class Workbench final : public CommandServices {
   void frame();
   /// A key that was pressed. Fields that take text keep theirs.
   void key(const KeyPress& press);
+  /// The cap of a 3D mouse moves the active view; not while a question, a dialog or the palette is open.
+  void cap(const CapMotion& motion);
+  /// A button of a 3D mouse was pressed: 0 opens the palette, 1 frames everything. Others do nothing.
+  void cap_button(int number);
   /// A field was asked for and gets the keyboard in a frame or two: keys are to wait for it.
   bool field_opening() const { return panel_state_.field_opening || editor_.rename_wanted; }
 
@@ -91,6 +96,7 @@ class Workbench final : public CommandServices {
   FileDialogs& files() { return files_; }
   const FileDialogs& files() const { return files_; }
   void export_pages() override { files_.export_pages(); }
+  void export_sections() override { files_.export_sections(); }
   void add_picture() override { files_.add_picture(); }
   void replace_picture(ObjectId picture) override { files_.replace_picture(picture); }
   void unpack_picture(ObjectId picture) override { files_.unpack_picture(picture); }
@@ -125,6 +131,7 @@ class Workbench final : public CommandServices {
 
   Editor& editor_;
   Viewport viewport_;
+  CapGesture cap_;
   const Metrics& metrics_;
   ApplicationServices& application_;
   CommandTable commands_;

@@ -16,7 +16,7 @@
 #include "ui/editor/skin_edits.hpp"
 #include "ui/editor/skin_view.hpp"
 #include "ui/skin/section_rows.hpp"
-#include "ui/widgets/choice.hpp"
+#include "ui/widgets/enum_labels.hpp"
 #include "ui/widgets/tips.hpp"
 #include "ui/widgets/value_fields.hpp"
 
@@ -24,43 +24,6 @@ namespace hariko {
 
 namespace {
 
-constexpr std::array skin_method_choices{
-    Choice{"Smooth", "A regular grid over a blend of the sections: smooth everywhere, features may blur"},
-    Choice{"Anchored", "A regular grid whose columns run through the points that you join"},
-    Choice{"Pleat", "Points of the sections are joined by lines that the surface follows"},
-};
-constexpr std::array frame_choices{
-    Choice{"Automatic", "By the bends of the path"},
-    Choice{"Parallel", "Sections are moved along the path without turning"},
-    Choice{"Turning", "Sections turn with the path, and as little as possible round it"},
-    Choice{"Two rails", "Sections are stretched between the path and a second one"},
-};
-constexpr std::array blend_choices{
-    Choice{"Automatic", "Linear for two sections, natural for more"},
-    Choice{"Linear", "A ridge at each section"},
-    Choice{"Natural", "Flows through the sections"},
-    Choice{"Hermite", "Each section acts near itself only"},
-};
-constexpr std::array fit_choices{
-    Choice{"None", "Sections inside are approached only"},
-    Choice{"Local", "Goes exactly through the sections; dense rows can dimple"},
-    Choice{"Fair", "Goes exactly through the sections, as fair as the tension lets it"},
-};
-constexpr std::array cap_choices{
-    Choice{"None", "Closed sections leave the ends open"},
-    Choice{"Flat", "A face with a sharp edge closes each end"},
-    Choice{"Dome", "A round end"},
-};
-
-constexpr std::array match_choices{
-    Choice{"Parameter", "By how far along their sections points are"},
-    Choice{"Shape", "By where points are on their sections: finds the seams of closed ones"},
-};
-constexpr std::array column_choices{
-    Choice{"Even", "At even distances along each section"},
-    Choice{"Shared", "Where they follow all sections best, at the same places of each"},
-    Choice{"Each section", "Where they follow each section best"},
-};
 constexpr std::array skin_mirror_choices{
     Choice{"None", "Sections are edited point by point"},
     Choice{"Across X", "What is done to a point of a section is done to its image, too"},
@@ -96,6 +59,13 @@ class Rows {
               int current, const char* step, const Set& set) {
     if (const auto chosen = choose(context_, id, label, help, choices, current))
       commit(step, [&](Skin& skin) { set(skin, *chosen); });
+  }
+
+  /// Among all enumerators; `get` gives a reference to the member.
+  template <class Get>
+  void choice(const char* id, const char* label, const char* help, const char* step, const Get& get) {
+    if (const auto chosen = choose(context_, id, label, help, std::optional(get(skin_))))
+      commit(step, [&](Skin& skin) { get(skin) = *chosen; });
   }
 
   void check(const char* id, const char* label, const char* help, const char* step, bool Skin::*member) {
@@ -229,16 +199,16 @@ const SkinSection* twisted_section(const Skin& skin, const std::vector<Message>&
 void pleat_rows(Rows& rows, const Skin& skin) {
   rows.slider("skin_density", "Density", "Rows for each span of the path", 0.25, 8, 1,
               &PleatOptions::density);
-  rows.choice("skin_fit", "Fit sections", "Whether the surface goes through the sections between the ends",
-              fit_choices, int(skin.pleat.fit), "Fit of the skin",
-              [](Skin& s, int chosen) { s.pleat.fit = SectionFit(chosen); });
+  rows.choice(
+      "skin_fit", "Fit sections", "Whether the surface goes through the sections between the ends",
+      "Fit of the skin", [](auto& s) -> auto& { return s.pleat.fit; });
   if (skin.pleat.fit == SectionFit::fair)
     rows.slider("skin_tension", "Tension",
                 "Low flows like a spline, high runs straight from section to section", 5, 1e4, 200,
                 &PleatOptions::tension);
-  rows.choice("skin_match", "Match by", "How points find those of the next section where no line is drawn",
-              match_choices, int(skin.pleat.cost), "Matching of the skin",
-              [](Skin& s, int chosen) { s.pleat.cost = MatchCost(chosen); });
+  rows.choice(
+      "skin_match", "Match by", "How points find those of the next section where no line is drawn",
+      "Matching of the skin", [](auto& s) -> auto& { return s.pleat.cost; });
   rows.check("skin_quads", "Quads in fans", "Pairs of triangles become quads: rounder where lines merge",
              "Quads in fans", &PleatOptions::quad_fans);
   rows.check("skin_collars", "Collars", "Rows of their own beside sections, so that these can be exact",
@@ -251,13 +221,13 @@ void grid_rows(Rows& rows, const Skin& skin) {
              &SmoothOptions::columns);
   rows.count("skin_rows", "Rows", "Control points along; 0: as many as the path suggests",
              &SmoothOptions::rows);
-  rows.choice("skin_blend", "Blend", "How one section becomes the next", blend_choices,
-              int(skin.smooth.blend), "Blend of the skin",
-              [](Skin& s, int chosen) { s.smooth.blend = Blend(chosen); });
+  rows.choice(
+      "skin_blend", "Blend", "How one section becomes the next", "Blend of the skin",
+      [](auto& s) -> auto& { return s.smooth.blend; });
   if (skin.method == SkinMethod::smooth)
-    rows.choice("skin_placed", "Place columns", "Where the columns cross the sections", column_choices,
-                int(skin.smooth.parameters), "Place columns",
-                [](Skin& s, int chosen) { s.smooth.parameters = ColumnParameters(chosen); });
+    rows.choice(
+        "skin_placed", "Place columns", "Where the columns cross the sections", "Place columns",
+        [](auto& s) -> auto& { return s.smooth.parameters; });
 }
 
 /// Rows that are needed once, if ever.
@@ -292,19 +262,20 @@ void draw_skin_properties(PanelContext& context) {
   path_section(context, shown);
   heading(context, "Skin");
   Rows rows(context, shown);
-  rows.choice("skin_method", "Method", "How the surface spans the sections", skin_method_choices,
-              int(skin.method), "Method of the skin",
-              [](Skin& s, int chosen) { s.method = SkinMethod(chosen); });
+  rows.choice(
+      "skin_method", "Method", "How the surface spans the sections", "Method of the skin",
+      [](auto& s) -> auto& { return s.method; });
   const bool closed = has_closed_sections(skin);
   if (const auto on = check_row(context, "skin_closed", "Tube",
                                 "Sections are closed curves and the skin is a tube", closed))
     commit_skin(context.editor, shown.id, set_closed(skin, *on), "Close or open sections");
   if (closed && !skin.path.closed)
-    rows.choice("skin_caps", "Ends", "What closes a tube", cap_choices, int(skin.caps), "Ends of the skin",
-                [](Skin& s, int chosen) { s.caps = Caps(chosen); });
+    rows.choice(
+        "skin_caps", "Ends", "What closes a tube", "Ends of the skin",
+        [](auto& s) -> auto& { return s.caps; });
   if (const auto chosen = choose(context, "skin_frame", "Rails", "How sections turn along the path",
-                                 frame_choices, int(skin.frame)))
-    set_frame(context.editor, shown, FrameMode(*chosen));
+                                 std::optional(skin.frame)))
+    set_frame(context.editor, shown, *chosen);
   const std::string& wanted = context.state.wanted_row;
   if (wanted.starts_with("skin_") &&
       std::find(first_rows.begin(), first_rows.end(), wanted) == first_rows.end())
@@ -325,15 +296,16 @@ std::vector<SkinChoice> skin_choices() {
       out.push_back({std::string(id) + "." + std::to_string(i), name, choices[i].label, choices[i].help,
                      [choose, i](Editor& editor, const Object& object) { choose(editor, object, int(i)); }});
   };
-  list("skin_method", "Method", skin_method_choices, [](Editor& editor, const Object& object, int chosen) {
-    editor.commit(
-        changed(editor.history.current(), object.id, [&](Skin& skin) { skin.method = SkinMethod(chosen); }),
-        "Method of the skin");
-  });
-  list("skin_frame", "Rails", frame_choices, [](Editor& editor, const Object& object, int chosen) {
+  list("skin_method", "Method", enum_choices<SkinMethod>,
+       [](Editor& editor, const Object& object, int chosen) {
+         editor.commit(changed(editor.history.current(), object.id,
+                               [&](Skin& skin) { skin.method = SkinMethod(chosen); }),
+                       "Method of the skin");
+       });
+  list("skin_frame", "Rails", enum_choices<FrameMode>, [](Editor& editor, const Object& object, int chosen) {
     set_frame(editor, object, FrameMode(chosen));
   });
-  list("skin_caps", "Ends", cap_choices, [](Editor& editor, const Object& object, int chosen) {
+  list("skin_caps", "Ends", enum_choices<Caps>, [](Editor& editor, const Object& object, int chosen) {
     editor.commit(changed(editor.history.current(), object.id, [&](Skin& skin) { skin.caps = Caps(chosen); }),
                   "Ends of the skin");
   });

@@ -6,17 +6,13 @@
 #include "core/document/edits/edit_solids.hpp"
 #include "core/envelope/ball/tightness.hpp"
 #include "core/envelope/envelope.hpp"
-#include "ui/widgets/choice.hpp"
+#include "ui/widgets/enum_labels.hpp"
 #include "ui/widgets/value_fields.hpp"
 
 namespace hariko {
 
 namespace {
 
-constexpr std::array method_choices{
-    Choice{"Ball", "What a ball leaves that rolls over the solids, rounded"},
-    Choice{"Curves", "A network of curves round the hull of the solids; it may fold or miss them"},
-};
 constexpr std::array kind_names{
     translatable("Box"),     translatable("Sphere"), translatable("Cylinder"),
     translatable("Cone"),    translatable("Prism"),  translatable("Pyramid"),
@@ -26,13 +22,6 @@ constexpr std::array kind_names{
 const char* kind_name(SolidKind kind) {
   return kind_names[static_cast<std::size_t>(kind)];
 }
-
-constexpr std::array symmetry_choices{
-    Choice{"None", "Only the solids that are there"},
-    Choice{"Across x", "Solids have images beyond the plane across the x axis; the surface is symmetric"},
-    Choice{"Across y", "Solids have images beyond the plane across the y axis; the surface is symmetric"},
-    Choice{"Across z", "Solids have images beyond the plane across the z axis; the surface is symmetric"},
-};
 
 constexpr double ball_roundness = 0.3;  ///< own roundness of a solid to begin with
 
@@ -75,12 +64,11 @@ void choice_rows(PanelContext& context, const Object& object) {
                                           [&](EnvelopeInput& input) { change(input.settings); }),
                           step);
   };
-  const bool ball = now.method == EnvelopeMethod::ball;
   if (const auto chosen = choose(context, "envelope_method", "Method", "What decides the surface's shape",
-                                 method_choices, ball ? 0 : 1))
+                                 std::optional(now.method)))
     context.editor.commit(change_envelope(context.editor.history.current(), object.id,
                                           [&](EnvelopeInput& input) {
-                                            if (*chosen == 1)
+                                            if (*chosen == EnvelopeMethod::network)
                                               input.settings.method = EnvelopeMethod::network;
                                             else if (input.settings.rounding > 0)
                                               input.settings.method = EnvelopeMethod::ball;
@@ -90,9 +78,8 @@ void choice_rows(PanelContext& context, const Object& object) {
                           "Method of the surface");
   if (const auto chosen = choose(context, "envelope_symmetry", "Symmetry",
                                  "A plane through the object's zero, across an axis of the object",
-                                 symmetry_choices, static_cast<int>(now.symmetry)))
-    set("Symmetry of the surface",
-        [&](EnvelopeSettings& settings) { settings.symmetry = static_cast<SymmetryPlane>(*chosen); });
+                                 std::optional(now.symmetry)))
+    set("Symmetry of the surface", [&](EnvelopeSettings& settings) { settings.symmetry = *chosen; });
 }
 
 /// Nothing while it is not known.

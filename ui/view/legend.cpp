@@ -10,15 +10,13 @@
 #include "render/tension_colors.hpp"
 #include "ui/base/text_lines.hpp"
 #include "ui/editor/legend_source.hpp"
+#include "ui/widgets/enum_labels.hpp"
 
 namespace hariko {
 
 namespace {
 
 constexpr float color_bar_height = 150, bar_width = 14, histogram_width = 36;
-
-constexpr std::array mode_names{translatable("Symmetric"), translatable("Percentile"), translatable("Full"),
-                                translatable("Typed")};
 
 /// An end of the range: a label that a click turns into a field.
 void range_end(PanelContext& context, const LegendSource& source, bool high) {
@@ -105,18 +103,17 @@ void draw_bar(PanelContext& context, const LegendSource& source) {
 
 void range_menu(PanelContext& context, const LegendSource& source) {
   const MapRange range = range_settings(context.editor, source);
-  const std::string label =
-      std::string(context.tr(mode_names[static_cast<std::size_t>(range.mode)])) + "##mode";
+  const std::string label = std::string(context.tr(enum_choice(range.mode).label)) + "##mode";
   if (ImGui::SmallButton(label.c_str())) ImGui::OpenPopup("range_modes");
   context.marks.item("legend.mode");
   if (!ImGui::BeginPopup("range_modes")) return;
-  for (std::size_t i = 0; i < mode_names.size(); ++i) {
-    if (ImGui::MenuItem(context.tr(mode_names[i]), nullptr, i == static_cast<std::size_t>(range.mode))) {
+  for (const RangeMode mode : enum_values<RangeMode>()) {
+    if (ImGui::MenuItem(context.tr(enum_choice(mode).label), nullptr, mode == range.mode)) {
       MapRange changed = range;
-      changed.mode = static_cast<RangeMode>(i);
+      changed.mode = mode;
       set_range(context.editor, source, changed);
     }
-    context.marks.item("legend.mode." + std::to_string(i));
+    context.marks.item("legend.mode." + std::to_string(static_cast<int>(mode)));
   }
   ImGui::EndPopup();
 }

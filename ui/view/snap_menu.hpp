@@ -6,7 +6,7 @@
 
 namespace hariko {
 
-/// The button right of the title, which ends at `title`; call before items that lie under it. A click opens
+/// The button right of what stands at `title`; call before items that lie under it. A click opens
 /// the menu. Gives true where the pointer is on it. Nothing in views that have no room for it.
 bool snap_button(PanelContext& context, int view, const PanelRect& title, const PanelRect& pane);
 /// Draws the button, over the picture, and the menu while it is open.

@@ -26,6 +26,7 @@ void draw_menu(PanelContext& context) {
                            "view.bottom",
                            "",
                            "view.orthographic",
+                           "view.two_point",
                            "view.lock",
                            "view.frame_all",
                            "view.frame_selection",
@@ -55,7 +56,9 @@ void draw_menu(PanelContext& context) {
 const char* title_of(const Camera& camera) {
   const auto side = side_of(camera);
   if (!side || !camera.orthographic)
-    return camera.orthographic ? translatable("Orthographic") : translatable("Perspective");
+    return camera.orthographic ? translatable("Orthographic")
+           : camera.two_point  ? translatable("Two-point")
+                               : translatable("Perspective");
   switch (*side) {
     case StandardView::front:
       return translatable("Front");

@@ -30,6 +30,7 @@ void ViewPanes::arrange(const PanelRect& rect) {
     for (const Place& old : before) {
       if (old.view != place.view) continue;
       place.title_hovered = old.title_hovered;
+      place.views_hovered = old.views_hovered;
       place.snaps_hovered = old.snaps_hovered;
       place.gizmo_hovered = old.gizmo_hovered;
     }

@@ -13,7 +13,7 @@ class ViewPanes {
   struct Place {
     int view = 0;
     PanelRect rect;
-    bool title_hovered = false, snaps_hovered = false;
+    bool title_hovered = false, views_hovered = false, snaps_hovered = false;
     bool gizmo_hovered = false;
   };
 

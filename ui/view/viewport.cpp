@@ -9,6 +9,7 @@
 #include "ui/view/navigation.hpp"
 #include "ui/view/snap_menu.hpp"
 #include "ui/view/view_frame.hpp"
+#include "ui/view/views_menu.hpp"
 
 namespace hariko {
 
@@ -56,8 +57,10 @@ void Viewport::draw(PanelContext& context, const PanelRect& rect) {
     panes_.drag_splitters(context, rect);
     for (Place& place : panes_.places()) {
       place.title_hovered = view_title_button(context, place.view, place.rect);
+      const PanelRect title = view_title_place(context, place.view, place.rect);
+      place.views_hovered = views_button(context, place.view, title, place.rect);
       place.snaps_hovered =
-          snap_button(context, place.view, view_title_place(context, place.view, place.rect), place.rect);
+          snap_button(context, place.view, views_button_place(context, title, place.rect), place.rect);
       gizmo_button(context, place);
     }
     ImGui::SetCursorScreenPos(rect.min);
@@ -162,7 +165,9 @@ void Viewport::draw_over(PanelContext& context, const Place& place, const Camera
   if (active) draw_probe(context, camera, size, place.rect, pointed_at_);
   if (active) draw_frame_overlay(context, place.rect);
   draw_view_title(context, place.view, place.rect, place.title_hovered);
-  draw_snap_button(context, place.view, view_title_place(context, place.view, place.rect), place.rect,
+  const PanelRect title = view_title_place(context, place.view, place.rect);
+  draw_views_button(context, place.view, title, place.rect, place.views_hovered);
+  draw_snap_button(context, place.view, views_button_place(context, title, place.rect), place.rect,
                    place.snaps_hovered);
 }
 

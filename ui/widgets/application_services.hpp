@@ -17,6 +17,7 @@ struct CadSettings;
 struct DrawingOrder;
 struct ExportSettings;
 struct PictureOrder;
+struct SectionOrder;
 
 /// Interface of the application to the panels, dialogs and commands of one window. None of these functions
 /// blocks.
@@ -59,6 +60,8 @@ class ApplicationServices {
   virtual void export_pictures(PictureOrder order) = 0;
   /// Computes and writes a line drawing.
   virtual void export_drawing(DrawingOrder order) = 0;
+  /// Computes and writes section curves.
+  virtual void export_sections(SectionOrder order) = 0;
   /// Writes the control meshes of the visible skins.
   virtual void export_control(const std::filesystem::path& path) = 0;
   /// Writes the pages of the paper model that is shown.

@@ -21,6 +21,7 @@ class CommandServices {
 
   // Each opens its dialog.
   virtual void export_pages() = 0;
+  virtual void export_sections() = 0;
   virtual void add_picture() = 0;
   virtual void replace_picture(ObjectId picture) = 0;
   virtual void unpack_picture(ObjectId picture) = 0;

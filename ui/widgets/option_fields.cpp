@@ -4,6 +4,9 @@
 #include <imgui_stdlib.h>
 
 #include <cmath>
+#include <vector>
+
+#include "core/document/words.hpp"
 
 namespace hariko {
 
@@ -39,13 +42,40 @@ bool option_field(const char* id, const char* help, Marks& marks, float width, c
   if (text.empty()) text = format_quantity(quantity, value);
   ImGui::SetNextItemWidth(width);
   ImGui::InputText((std::string("##") + id).c_str(), &text, ImGuiInputTextFlags_AutoSelectAll);
-  marks.item(std::string("export.") + id);
+  marks.item(id);
   if (ImGui::IsItemHovered()) show_tip(help);
   if (!ImGui::IsItemDeactivatedAfterEdit()) return false;
   const double before = value;
   if (const auto change = parse_change(text, quantity)) value = change->apply(quantity, value);
   text = format_quantity(quantity, value);
   return value != before;
+}
+
+std::optional<std::size_t> option_list(Marks& marks, const std::string& mark, float width,
+                                       std::span<const std::string> labels, std::size_t current,
+                                       std::span<const std::string> ids, const char* help) {
+  std::optional<std::size_t> chosen;
+  ImGui::SetNextItemWidth(width);
+  const bool open = ImGui::BeginCombo(("##" + mark).c_str(), labels[current].c_str());
+  marks.item(mark);
+  if (open) {
+    for (std::size_t i = 0; i < labels.size(); ++i) {
+      if (ImGui::Selectable(labels[i].c_str(), i == current)) chosen = i;
+      marks.item(mark + "." + (ids.empty() ? std::to_string(i) : ids[i]));
+    }
+    ImGui::EndCombo();
+  } else if (*help && ImGui::IsItemHovered()) {
+    show_tip(help);
+  }
+  return chosen;
+}
+
+std::optional<Unit> option_unit(Marks& marks, const std::string& mark, float width, Unit current,
+                                const char* help) {
+  const std::vector<std::string> symbols = enum_word_list<Unit>();
+  const auto chosen =
+      option_list(marks, mark, width, symbols, static_cast<std::size_t>(current), symbols, help);
+  return chosen ? std::optional(static_cast<Unit>(*chosen)) : std::nullopt;
 }
 
 Quantity scale_quantity() {

@@ -2,6 +2,8 @@
 
 // Fields of the settings that file dialogs show.
 
+#include <optional>
+#include <span>
 #include <string>
 
 #include "ui/base/quantity.hpp"
@@ -19,10 +21,20 @@ void beside_or_below(const Metrics& metrics, float width, float gap = 8);
 float check_width(const char* words);
 float labelled_width(const char* words, float field);
 
-/// A number with its unit that may be typed, of the given width in pixels; mark: "export.<id>". `text` is
+/// A number with its unit that may be typed, of the given width in pixels; mark: "<id>". `text` is
 /// what stands in the field, empty for the value's own. True when the value changed.
 bool option_field(const char* id, const char* help, Marks& marks, float width, const Quantity& quantity,
                   std::string& text, double& value);
+
+/// A list to choose one of some labels from, of the given width in pixels; marks: "<mark>", and "<mark>.<id>"
+/// of each of `ids`, or of their numbers where there are none. Labels and the help are in the language of the
+/// interface. Returns the new choice.
+std::optional<std::size_t> option_list(Marks& marks, const std::string& mark, float width,
+                                       std::span<const std::string> labels, std::size_t current,
+                                       std::span<const std::string> ids = {}, const char* help = "");
+/// Likewise the units of files, by their symbols.
+std::optional<Unit> option_unit(Marks& marks, const std::string& mark, float width, Unit current,
+                                const char* help = "");
 
 /// Of the factor that all lengths are multiplied by.
 Quantity scale_quantity();

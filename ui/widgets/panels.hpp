@@ -4,10 +4,14 @@
 
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <memory>
+#include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
+#include "core/document/group_tree.hpp"
 #include "ui/base/marks.hpp"
 #include "ui/base/samples.hpp"
 #include "ui/base/theme.hpp"
@@ -18,6 +22,14 @@
 #include "ui/widgets/steady_rows.hpp"
 
 namespace hariko {
+
+/// The groups of a document as the list shows them, and what they were made from.
+struct OutlinerTree {
+  std::vector<std::shared_ptr<const Object>> objects;
+  Shared<Groups> groups;
+  std::shared_ptr<const GroupTree> tree;
+  std::map<ObjectId, std::size_t> places;  ///< of the objects in the document
+};
 
 /// What the list of objects remembers between frames.
 struct OutlinerState {
@@ -30,6 +42,11 @@ struct OutlinerState {
   std::string search;           ///< shows the objects whose names have it
   std::vector<ObjectId> shown;  ///< the rows, from above
   ObjectId shown_active;        ///< the active object that the list has scrolled to
+  std::set<GroupId> folded;     ///< groups whose contents do not show
+  std::uint64_t documents = 0;  ///< `Editor::documents` of the document that they are of
+  GroupId renaming_group;       ///< whose name is a field now
+  std::optional<Member> dragged;
+  OutlinerTree tree;
 };
 
 struct MeasuredSections;

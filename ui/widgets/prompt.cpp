@@ -16,6 +16,8 @@ void Prompt::draw(PanelContext& context) {
   const Metrics& m = context.metrics;
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
   ImGui::SetNextWindowPos({screen.x / 2, screen.y / 2}, ImGuiCond_Always, {0.5F, 0.5F});
+  // A prompt that is higher than the window scrolls.
+  ImGui::SetNextWindowSizeConstraints({0, 0}, {screen.x, screen.y - std::min(m.px(40), screen.y / 20)});
   const std::string title = (is_open() ? requests_.back().title : std::string()) + id;
   if (!ImGui::BeginPopupModal(title.c_str(), nullptr,
                               ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoMove))

@@ -39,7 +39,7 @@ void ExportCommandLine::add_to(CLI::App& app) {
               "--quality", quality_,
               "Of STEP and IGES: light (0.05 mm, 0.2 degrees), balanced (0.01 mm, 0.1 degrees) or fine "
               "(0.001 mm, 0.02 degrees); more where an object is larger than 100 mm")
-          ->check(CLI::IsMember({"light", "balanced", "fine"})),
+          ->check(CLI::IsMember(enum_word_list<CadQuality>())),
       command_->add_flag(
           "--exact", arguments_.cad.exact,
           "Of STEP and IGES: what is a spline stays it, also where fewer control points would do"),
@@ -68,13 +68,13 @@ void ExportCommandLine::check() const {
     if (!cad && *option) throw CLI::ValidationError(option->get_name(), "is for STEP and IGES");
   if (arguments_.control && lower_ending(arguments_.out) != ".obj")
     throw CLI::ValidationError("--control", "the name must end in .obj");
+  if (arguments_.control && !file_options_.arguments().wall.none())
+    throw CLI::ValidationError("--control", "control meshes have no --offset and no --thickness");
 }
 
 ExportArguments ExportCommandLine::arguments(const Construction& construction) const {
   ExportArguments out = arguments_;
-  out.cad.quality = quality_ == "light"  ? CadQuality::light
-                    : quality_ == "fine" ? CadQuality::fine
-                                         : CadQuality::balanced;
+  out.cad.quality = enum_value<CadQuality>(quality_).value_or(CadQuality::balanced);
   out.cad.angle = angle_ * std::numbers::pi / 180;
   out.file_arguments = file_options_.arguments();
   out.construction = construction;

@@ -24,15 +24,26 @@ void FileOptions::add_to(CLI::App* command) {
       ->add_option("--only", only_, "Name of an object to write instead of all visible ones; may be repeated")
       ->type_size(1)
       ->allow_extra_args(false);
+  command->add_option(
+      "--offset", wall_.offset,
+      "Writes the surfaces at this distance instead, in the document's unit; below 0: inside");
+  command->add_option("--thickness", wall_.thickness,
+                      "Writes closed bodies with walls of this thickness instead, in the document's unit");
+  command
+      ->add_option("--side", side_,
+                   "Of the surface where the thickness is: inside (default), outside or both")
+      ->check(CLI::IsMember(enum_word_list<WallSide>()));
 }
 
 void FileOptions::check(const std::filesystem::path& out) const {
   if (!(scale_ > 0) || !std::isfinite(scale_))
     throw CLI::ValidationError("--scale", "must be a number above 0");
+  if (!std::isfinite(wall_.offset)) throw CLI::ValidationError("--offset", "must be a number");
+  if (!(wall_.thickness >= 0) || !std::isfinite(wall_.thickness))
+    throw CLI::ValidationError("--thickness", "must be a number above 0");
+  if (!side_.empty() && wall_.thickness == 0) throw CLI::ValidationError("--side", "is for a --thickness");
   const auto format = written_format(out);
   if (ascii_ && !(format && format->encoding)) throw CLI::ValidationError("--ascii", "is for STL and PLY");
-  if (!format && !origin_.empty())
-    throw CLI::ValidationError("--origin", "is for triangles; STEP and IGES hold coordinates as they are");
   if (!format) return;
   if (!unit_.empty() && !format->unit)
     throw CLI::ValidationError("--unit", "glTF files are always in metres");
@@ -48,6 +59,8 @@ FileArguments FileOptions::arguments() const {
   out.choices.ascii = ascii_;
   out.choices.to_zero = origin_ == "zero";
   out.only = only_;
+  out.wall = wall_;
+  out.wall.side = enum_value<WallSide>(side_).value_or(WallSide::inside);
   return out;
 }
 

@@ -17,7 +17,7 @@ namespace hariko {
 /// Options of the file that is written.
 class FileOptions {
  public:
-  /// Adds --unit, --scale, --up, --origin, --ascii and --only.
+  /// Adds --unit, --scale, --up, --origin, --ascii, --only, --offset, --thickness and --side.
   void add_to(CLI::App* command);
   /// Throws CLI::ValidationError for options that the format of `out` does not leave open.
   void check(const std::filesystem::path& out) const;
@@ -25,7 +25,8 @@ class FileOptions {
   FileArguments arguments() const;
 
  private:
-  std::string unit_, up_, origin_;
+  std::string unit_, up_, origin_, side_;
+  Wall wall_;
   double scale_ = 1;
   bool ascii_ = false;
   std::vector<std::string> only_;

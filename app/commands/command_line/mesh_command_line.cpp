@@ -22,10 +22,10 @@ void MeshCommandLine::add_to(CLI::App& app) {
   command_->add_option("--max-edge", max_edge_, "Length of edges");
   command_->add_option("--min-angle", min_angle_, "Smallest angle of a facet, degrees");
   command_->add_option("--start", start_, "Whole patches, or cells as long as their curvature lets them be")
-      ->check(CLI::IsMember({"patches", "cells"}))
+      ->check(CLI::IsMember(enum_word_list<MeshStart>()))
       ->capture_default_str();
   command_->add_option("--split", split_, "Which edge is split, and where")
-      ->check(CLI::IsMember({"mid", "halving", "gauss", "curvature"}))
+      ->check(CLI::IsMember(enum_word_list<SplitRule>()))
       ->capture_default_str();
   command_->add_flag("--optimise", optimise_, "Fewer facets, in more time");
   command_->add_flag(
@@ -63,11 +63,8 @@ MeshArguments MeshCommandLine::arguments(const Construction& construction) const
   criteria.luminance = luminance_;
   criteria.max_edge = max_edge_;
   criteria.min_angle = radians(min_angle_);
-  out.options.start = start_ == "cells" ? MeshStart::cells : MeshStart::patches;
-  out.options.split = split_ == "halving"     ? SplitRule::halving
-                      : split_ == "gauss"     ? SplitRule::gauss
-                      : split_ == "curvature" ? SplitRule::curvature
-                                              : SplitRule::midpoint;
+  out.options.start = enum_value<MeshStart>(start_).value_or(MeshStart::patches);
+  out.options.split = enum_value<SplitRule>(split_).value_or(SplitRule::midpoint);
   out.options.optimise = optimise_;
   out.options.balanced = balanced_;
   out.options.report = MeshReport::all;

@@ -60,9 +60,8 @@ std::optional<Vector2> parse_page(std::string_view text) {
 
 /// Parses a range of map values: "symmetric", "percentile", "full", or "-1,1".
 std::optional<MapRange> parse_range(std::string_view text) {
-  if (text == "symmetric") return MapRange{RangeMode::symmetric};
-  if (text == "percentile") return MapRange{RangeMode::percentile};
-  if (text == "full") return MapRange{RangeMode::full};
+  if (const auto mode = enum_value<RangeMode>(text); mode && mode != RangeMode::manual)
+    return MapRange{*mode};
   const std::size_t comma = text.find(',');
   if (comma == std::string_view::npos) return std::nullopt;
   const auto low = parse_number(text.substr(0, comma)), high = parse_number(text.substr(comma + 1));
@@ -129,9 +128,13 @@ void RenderCommandLine::add_to(CLI::App& app) {
       ->capture_default_str();
   command_->add_option("--format", format_, "Kind of the picture, where the name of OUT has no such ending")
       ->check(CLI::IsMember({"png", "svg"}));
-  command_->add_option("--view", view_, "Direction of view")
-      ->check(CLI::IsMember({"iso", "front", "back", "left", "right", "top", "bottom"}))
-      ->capture_default_str();
+  CLI::Option* side = command_->add_option("--view", view_, "Direction of view")
+                          ->check(CLI::IsMember(enum_word_list<StandardView>()))
+                          ->capture_default_str();
+  command_
+      ->add_option("--saved-view", saved_view_,
+                   "Name of a view that was saved in the document, instead of --view")
+      ->excludes(side);
   command_->add_option("--section", section_,
                        "Cuts away what is beyond: x=10, y=-2.5, or -z=3 for the other half");
   add_looks();
@@ -141,8 +144,7 @@ void RenderCommandLine::add_to(CLI::App& app) {
 void RenderCommandLine::add_looks() {
   picture_options_ = {
       command_->add_option("--map", map_, "What colours the surface")
-          ->check(CLI::IsMember({"shaded", "patches", "zebra", "isophotes", "gauss", "mean", "k1", "k2",
-                                 "continuity", "draft", "radius", "thickness", "deviation"}))
+          ->check(CLI::IsMember(surface_map_words()))
           ->capture_default_str(),
       command_->add_option("--pull", pull_,
                            "Of the map draft, where the part leaves its mould: x, -z, view, or X,Y,Z"),
@@ -171,7 +173,7 @@ void RenderCommandLine::add_looks() {
           ->check(CLI::Range(2, 64))
           ->capture_default_str(),
       command_->add_option("--background", background_, "Of the picture")
-          ->check(CLI::IsMember({"dark", "light", "transparent"}))
+          ->check(CLI::IsMember(enum_word_list<Background>()))
           ->capture_default_str(),
       command_->add_flag("--colour-blind-safe", arguments_.colour_blind_safe,
                          "Colours of maps that differ for all kinds of colour vision")};
@@ -221,6 +223,8 @@ void RenderCommandLine::check_picture() const {
 }
 
 void RenderCommandLine::check_making() const {
+  if (pull_ == "view" && !saved_view_.empty())
+    throw CLI::ValidationError("--pull", "view needs --view; give a direction as 1,0,2 with --saved-view");
   if (!pull_.empty() && !parse_pull(pull_, *standard_view_from(view_)))
     throw CLI::ValidationError("--pull", "must be an axis as x or -z, view, or a direction as 1,0,2");
   if (!limit_) return;
@@ -260,6 +264,7 @@ RenderArguments RenderCommandLine::picture() const {
   out.width = size.width;
   out.height = size.height;
   out.view = *standard_view_from(view_);
+  out.saved_view = saved_view_;
   out.map = *surface_map_from(map_);
   const auto shows = [&](const char* item) {
     return std::find(show_.begin(), show_.end(), item) != show_.end();
@@ -276,9 +281,7 @@ RenderArguments RenderCommandLine::picture() const {
   out.material = enum_value<Material>(material_);
   if (!colour_.empty()) out.colour = parse_colour(colour_);
   if (!section_.empty()) out.section = parse_section(section_);
-  out.background = background_ == "light"         ? Background::light
-                   : background_ == "transparent" ? Background::transparent
-                                                  : Background::dark;
+  out.background = enum_value<Background>(background_).value_or(Background::dark);
   return out;
 }
 
@@ -296,6 +299,7 @@ DrawingArguments RenderCommandLine::drawing() const {
     out.height = size.height;
   }
   out.view = *standard_view_from(view_);
+  out.saved_view = saved_view_;
   if (!section_.empty()) out.section = parse_section(section_);
   if (!lines_.empty()) out.lines.kinds.clear();
   for (const std::string& name : lines_) out.lines.kinds.insert(*line_kind_from(name));

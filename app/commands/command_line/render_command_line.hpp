@@ -40,8 +40,9 @@ class RenderCommandLine {
 
   CLI::App* command_ = nullptr;
   std::vector<CLI::Option*> picture_options_, drawing_options_;  ///< options of only one of the two
-  std::string file_, out_, format_, size_ = "1280x960", view_ = "iso", map_ = "shaded", range_ = "symmetric",
-                                    material_, colour_, wire_ = "none", section_, background_ = "dark", pull_;
+  std::string file_, out_, format_, size_ = "1280x960", view_ = "iso", saved_view_, map_ = "shaded",
+                                    range_ = "symmetric", material_, colour_, wire_ = "none", section_,
+                                    background_ = "dark", pull_;
   std::vector<std::string> show_, lines_;
   RenderArguments arguments_;
   std::optional<double> limit_;

@@ -10,6 +10,7 @@
 #include "app/commands/command_line/mesh_command_line.hpp"
 #include "app/commands/command_line/render_command_line.hpp"
 #include "app/commands/command_line/script_command_line.hpp"
+#include "app/commands/command_line/sections_command_line.hpp"
 #include "app/commands/command_line/standard_streams.hpp"
 #include "app/commands/command_line/suggestions.hpp"
 #include "app/commands/command_line/unfold_command_line.hpp"
@@ -36,14 +37,16 @@ class CommandLine {
     export_.add_to(app_);
     render_.add_to(app_);
     mesh_.add_to(app_);
+    sections_.add_to(app_);
     add_evaluate();
     unfold_.add_to(app_);
     script_.add_to(app_, streams_);
     add_sample_pictures();
-    for (CLI::App* command : {info_, export_.command(), render_.command(), mesh_.command(), evaluate_})
-      construction_.add_to(*command);
     for (CLI::App* command :
-         {info_, export_.command(), render_.command(), mesh_.command(), evaluate_, unfold_.command()})
+         {info_, export_.command(), render_.command(), mesh_.command(), sections_.command(), evaluate_})
+      construction_.add_to(*command);
+    for (CLI::App* command : {info_, export_.command(), render_.command(), mesh_.command(),
+                              sections_.command(), evaluate_, unfold_.command()})
       streams_.add_to(*command);
     app_.footer(
         "Files are Hariko documents (*.hariko), meshes (*.obj, *.off, *.ply, *.stl, *.glb, *.gltf, *.3mf), "
@@ -70,6 +73,7 @@ class CommandLine {
     if (*render_.command()) return streams_.finish(render_.run(construction));
     if (*unfold_.command()) return streams_.finish(run_unfold(unfold_.arguments()));
     if (*mesh_.command()) return streams_.finish(run_mesh(mesh_.arguments(construction)));
+    if (*sections_.command()) return streams_.finish(run_sections(sections_.arguments(construction)));
     if (*evaluate_) return run_evaluate(evaluate_arguments_);
     if (*script_.command()) return streams_.finish(script_.run());
     if (*pictures_) return run_sample_pictures(assets_, pictures_folder_);
@@ -120,6 +124,7 @@ class CommandLine {
     if (*unfold_.command()) unfold_.check();
     if (*render_.command()) render_.check();
     if (*mesh_.command()) mesh_.check();
+    if (*sections_.command()) sections_.check();
     if (*script_.command()) script_.check();
     // A mistyped command may also follow the window's options.
     if (const auto& files = window_.options().files; !files.empty()) check_first_word(files.front().string());
@@ -144,6 +149,7 @@ class CommandLine {
   WindowCommandLine window_;
   ExportCommandLine export_;
   MeshCommandLine mesh_;
+  SectionsCommandLine sections_;
   RenderCommandLine render_;
   UnfoldCommandLine unfold_;
   ScriptCommandLine script_;

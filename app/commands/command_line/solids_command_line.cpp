@@ -3,12 +3,14 @@
 #include <CLI/CLI.hpp>
 #include <limits>
 
+#include "core/document/words.hpp"
+
 namespace hariko {
 
 void SolidsCommandLine::add_to(CLI::App& command) {
   const std::string group = "Surfaces round solids, instead of what the document says";
   command.add_option("--surround", method_, "Method: ball, or network of curves")
-      ->check(CLI::IsMember({"ball", "network"}))
+      ->check(CLI::IsMember(enum_word_list<EnvelopeMethod>()))
       ->group(group);
   command
       .add_option("--ball-radius", ball_radius_,
@@ -33,7 +35,7 @@ void SolidsCommandLine::add_to(CLI::App& command) {
 
 SolidsConstruction SolidsCommandLine::construction() const {
   SolidsConstruction out;
-  if (!method_.empty()) out.method = method_ == "ball" ? EnvelopeMethod::ball : EnvelopeMethod::network;
+  out.method = enum_value<EnvelopeMethod>(method_);
   if (ball_radius_ == "hull")
     out.ball_radius = std::numeric_limits<double>::infinity();
   else if (!ball_radius_.empty())

@@ -70,6 +70,14 @@ std::string_view enum_word(Enum value) {
   return enum_words<Enum>[index];
 }
 
+/// Enumerators that have words, in their order.
+template <class Enum>
+constexpr auto enum_values() {
+  std::array<Enum, enum_words<Enum>.size()> out{};
+  for (std::size_t i = 0; i < out.size(); ++i) out[i] = static_cast<Enum>(i);
+  return out;
+}
+
 /// Words of an enumeration, for lists to choose from.
 template <class Enum>
 std::vector<std::string> enum_word_list() {

@@ -9,7 +9,9 @@
 
 #include "core/document/edits/edit_attachments.hpp"
 #include "core/document/edits/edit_dimensions.hpp"
+#include "core/document/edits/edit_groups.hpp"
 #include "core/document/edits/edit_support.hpp"
+#include "core/document/edits/edit_views.hpp"
 
 namespace hariko {
 namespace detail {
@@ -20,6 +22,9 @@ Message unknown_object(ObjectId id) {
 }
 
 Message locked_object(const Object& object) {
+  if (object.locked_by_group)
+    return make_error(e_locked, "The object \"" + object.name + "\" is in a locked group.",
+                      "Unlock the group first.", element_of(object.id));
   return make_error(e_locked, "The object \"" + object.name + "\" is locked.", "Unlock it first.",
                     element_of(object.id));
 }
@@ -158,6 +163,32 @@ class FreeNames {
   std::map<std::string, std::size_t> next_;  ///< by base: lower numbers are taken
 };
 
+/// Appends groups of another document under new ids; returns the new id of each.
+std::map<GroupId, GroupId> append_groups(Document& document, const Groups& others) {
+  std::map<GroupId, GroupId> renamed{{GroupId{}, GroupId{}}};
+  if (others.empty()) return renamed;
+  Groups groups = *document.groups;
+  for (Group group : others) {
+    const GroupId id = next_group_id(groups);
+    renamed[group.id] = id;
+    group.id = id;
+    groups.insert(std::ranges::lower_bound(groups, id, {}, &Group::id), std::move(group));
+  }
+  for (const Group& group : others)
+    std::ranges::lower_bound(groups, renamed[group.id], {}, &Group::id)->parent = renamed[group.parent];
+  document.groups = std::move(groups);
+  return renamed;
+}
+
+/// Lets a copy of an object be unlocked: it leaves groups that lock it.
+void unlock_copy(const Document& document, Object& copy) {
+  copy.locked = copy.locked_by_group = false;
+  copy.group = unlocked_group(document, copy.group);
+  copy.visible = copy.visible_itself();
+  copy.hidden_by_group = copy.visible && !is_visible(document, copy.group);
+  copy.visible = copy.visible && !copy.hidden_by_group;
+}
+
 /// Objects of the document, each followed by its copies.
 std::vector<std::shared_ptr<const Object>> with_copies(
     const Document& document, std::map<ObjectId, std::vector<std::shared_ptr<const Object>>>& copies) {
@@ -194,9 +225,11 @@ Result<Document> append_document(const Document& document, const Document& other
     renamed[object->id] = result.next_object_id;
     ++result.next_object_id.value;
   }
+  const std::map<GroupId, GroupId> groups = append_groups(result, *other.groups);
   for (const auto& object : other.objects) {
     Object copy = *object;
     copy.id = renamed[object->id];
+    copy.group = groups.at(object->group);
     if (auto* source = std::get_if<PolyhedronSource>(&copy.source); source && !source->attachments->empty()) {
       Attachments attachments;
       for (auto [edge, attachment] : *source->attachments) {
@@ -208,7 +241,8 @@ Result<Document> append_document(const Document& document, const Document& other
     }
     result.objects.push_back(std::make_shared<const Object>(std::move(copy)));
   }
-  return with_appended_dimensions(result, *other.dimensions, renamed);
+  const Result<Document> measured = with_appended_dimensions(result, *other.dimensions, renamed);
+  return measured ? append_views(*measured, *other.saved_views) : measured;
 }
 
 Result<Document> delete_objects(const Document& document, std::span<const ObjectId> objects) {
@@ -232,28 +266,7 @@ Result<Document> delete_objects(const Document& document, std::span<const Object
     changed.source = frozen_source(*object, gone);
     if (!(changed == *object)) object = std::make_shared<const Object>(std::move(changed));
   }
-  return result;
-}
-
-Result<Document> reorder_objects(const Document& document, std::span<const ObjectId> objects,
-                                 std::size_t position) {
-  const std::map<ObjectId, const Object*> known = by_id(document);
-  for (const ObjectId id : objects)
-    if (!known.contains(id)) return detail::unknown_object(id);
-  const std::set<ObjectId> chosen(objects.begin(), objects.end());
-  const auto moves = [&](const auto& object) { return chosen.contains(object->id); };
-  const std::size_t place = std::min(position, document.objects.size());
-  const auto middle = document.objects.begin() + static_cast<std::ptrdiff_t>(place);
-  Document result = document;
-  result.objects.clear();
-  const auto copy = [&](auto first, auto last, bool moved) {
-    std::copy_if(first, last, std::back_inserter(result.objects),
-                 [&](const auto& object) { return moves(object) == moved; });
-  };
-  copy(document.objects.begin(), middle, false);
-  copy(document.objects.begin(), document.objects.end(), true);
-  copy(middle, document.objects.end(), false);
-  return result;
+  return without_empty_groups(result);
 }
 
 Result<AddedObjects> duplicate_objects(const Document& document, std::span<const ObjectId> objects,
@@ -273,7 +286,7 @@ Result<AddedObjects> duplicate_objects(const Document& document, std::span<const
   std::map<ObjectId, std::vector<std::shared_ptr<const Object>>> made;
   for (const Object* original : originals) {
     Object copy = *original;
-    copy.locked = false;
+    unlock_copy(document, copy);
     if (copy.polyhedron()) copy.source = frozen_source(*original, document.objects);
     for (std::size_t number = 1; number <= copies; ++number) {
       copy.id = added.document.next_object_id;
@@ -314,26 +327,34 @@ Result<Document> rename_object(const Document& document, ObjectId object, std::s
 
 Result<Document> set_visible(const Document& document, ObjectId object, bool visible) {
   return detail::change_object(document, object, false, [&](Object& changed) -> Result<Done> {
-    changed.visible = visible;
+    const bool hidden = !is_visible(document, changed.group);
+    changed.visible = visible && !hidden;
+    changed.hidden_by_group = visible && hidden;
     return Done{};
   });
 }
 
 Result<Document> showing_only(const Document& document, std::span<const ObjectId> objects) {
   const std::set<ObjectId> shown(objects.begin(), objects.end());
+  std::vector<ObjectId> present;
   Document out = document;
   for (auto& object : out.objects) {
-    if (object->visible == shown.contains(object->id)) continue;
-    Object changed = *object;
-    changed.visible = !changed.visible;
-    object = std::make_shared<const Object>(std::move(changed));
+    if (shown.contains(object->id)) {
+      present.push_back(object->id);
+    } else if (object->visible_itself()) {
+      Object changed = *object;
+      changed.visible = changed.hidden_by_group = false;
+      object = std::make_shared<const Object>(std::move(changed));
+    }
   }
-  return out;
+  return show_objects(out, present);
 }
 
 Result<Document> set_locked(const Document& document, ObjectId object, bool locked) {
   return detail::change_object(document, object, false, [&](Object& changed) -> Result<Done> {
-    changed.locked = locked;
+    const bool locks = is_locked(document, changed.group);
+    changed.locked = locked || locks;
+    changed.locked_by_group = !locked && locks;
     return Done{};
   });
 }

@@ -26,21 +26,18 @@ struct Added {
 Result<Added> add_object(const Document& document, std::string name, Source source,
                          const Similarity& transform = {}, const DisplaySettings& display = {});
 
-/// Appends every object of `other` under new ids (opening a file into the scene), and its dimensions.
-/// Coordinates stay as numbers; units are not converted. Errors: E_TOO_MANY_OBJECTS, E_TOO_MANY_DIMENSIONS.
+/// Appends every object of `other` under new ids (opening a file into the scene), its dimensions and its
+/// saved views. Coordinates stay as numbers; units are not converted. Errors: E_TOO_MANY_OBJECTS,
+/// E_TOO_MANY_DIMENSIONS, E_TOO_MANY_VIEWS.
 Result<Document> append_document(const Document& document, const Document& other);
 
 /// Deletes objects, and the dimensions that name them. Edges of others that are attached to them keep copies
 /// of their sides. Errors: E_UNKNOWN_OBJECT, E_LOCKED.
 Result<Document> delete_objects(const Document& document, std::span<const ObjectId> objects);
 
-/// Moves objects, in their present order, before the one now at `position` (0 .. number of objects; the
-/// number itself: to the end). Errors: E_UNKNOWN_OBJECT.
-Result<Document> reorder_objects(const Document& document, std::span<const ObjectId> objects,
-                                 std::size_t position);
-
 /// Duplicates an object. The copy follows its original in the list, its attached edges keep copies of their
-/// sides, it gets a free name (`free_name`) and is not locked. Errors: E_UNKNOWN_OBJECT, E_TOO_MANY_OBJECTS.
+/// sides, it gets a free name (`free_name`) and is not locked; it lies in the group of the original, or in
+/// the next one round it that is not locked. Errors: E_UNKNOWN_OBJECT, E_TOO_MANY_OBJECTS.
 Result<Added> duplicate_object(const Document& document, ObjectId object);
 
 /// A document and the objects that the edit made.
@@ -65,12 +62,13 @@ std::string free_name(const Document& document, const std::string& name);
 /// Renames an object. Errors: E_UNKNOWN_OBJECT, E_NAME_EMPTY, E_NAME_INVALID.
 Result<Document> rename_object(const Document& document, ObjectId object, std::string name);
 
-/// Shows or hides an object. Errors: E_UNKNOWN_OBJECT.
+/// Shows or hides an object by its own switch; in a hidden group it stays hidden. Errors: E_UNKNOWN_OBJECT.
 Result<Document> set_visible(const Document& document, ObjectId object, bool visible);
 
-/// Returns the document with these objects visible and no others. Unchanged objects are shared. O(n log n).
+/// Returns the document with these objects visible, with the groups round them, and no others. Unchanged
+/// objects are shared. O(n log n).
 Result<Document> showing_only(const Document& document, std::span<const ObjectId> objects);
-/// Locks or unlocks an object. Errors: E_UNKNOWN_OBJECT.
+/// Locks or unlocks an object by its own switch; in a locked group it stays locked. Errors: E_UNKNOWN_OBJECT.
 Result<Document> set_locked(const Document& document, ObjectId object, bool locked);
 
 /// Places an object. Normalises the rotation unless it is a unit quaternion already. Errors:

@@ -4,12 +4,17 @@
 
 #include <numbers>
 
+#include "core/base/text/enum_words.hpp"
 #include "core/document/document.hpp"
 
 namespace hariko {
 
 /// Accuracy of exported surfaces, see `grade_of`.
 enum class CadQuality { light, balanced, fine };
+template <>
+inline constexpr auto enum_words<CadQuality> = all_words<CadQuality>({{CadQuality::light, "light"},
+                                                                      {CadQuality::balanced, "balanced"},
+                                                                      {CadQuality::fine, "fine"}});
 
 /// Tolerances of a quality: the distance in millimetres, or as a fraction of the object's size where that is
 /// larger, and the angle between faces in radians.
@@ -36,6 +41,7 @@ struct CadChoices {
   Unit unit = Unit::millimetre;  ///< unit of the file
   double scale = 1;              ///< factor of all lengths
   bool ap242 = false;            ///< newer STEP schema, AP242 instead of AP214
+  bool to_zero = false;          ///< moves the middle of the box of all control points to zero
 
   friend bool operator==(const CadChoices&, const CadChoices&) = default;
 };

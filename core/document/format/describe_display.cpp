@@ -11,7 +11,7 @@ namespace hariko::detail {
 /// Digits of colours such as "#b9b4ac".
 static constexpr std::string_view colour_digits = "0123456789abcdef";
 
-static void read_value(JsonReader& reader, const JsonCursor& at, Colour& colour) {
+void read_value(JsonReader& reader, const JsonCursor& at, Colour& colour) {
   const std::string text = reader.string(at);
   const bool valid =
       text.size() == 7 && text[0] == '#' && text.find_first_not_of(colour_digits, 1) == std::string::npos;
@@ -21,7 +21,7 @@ static void read_value(JsonReader& reader, const JsonCursor& at, Colour& colour)
   };
   colour = {byte(1), byte(3), byte(5)};
 }
-static void write_value(DocumentText& text, const Colour& colour) {
+void write_value(DocumentText& text, const Colour& colour) {
   std::string word = "#";
   for (const std::uint8_t part : {colour.red, colour.green, colour.blue}) {
     word += colour_digits[part / 16];
@@ -117,6 +117,12 @@ void describe(Archive& archive, Described<Archive, MakingSettings>& making) {
   archive.check([&] { return check_making(making); });
 }
 
+void read_value(JsonReader& reader, const JsonCursor& at, Eigen::Quaterniond& rotation) {
+  read_described(reader, at, rotation);
+}
+void write_value(DocumentText& text, const Eigen::Quaterniond& rotation) {
+  write_described(text, rotation);
+}
 void read_value(JsonReader& reader, const JsonCursor& at, Similarity& transform) {
   read_described(reader, at, transform);
 }

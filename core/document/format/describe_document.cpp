@@ -4,8 +4,11 @@
 
 #include "core/document/edits/edit_pictures.hpp"
 #include "core/document/format/archive.hpp"
+#include "core/document/format/describe_origin.hpp"
 #include "core/document/format/described.hpp"
+#include "core/document/format/folded_origin.hpp"
 #include "core/document/format/format.hpp"
+#include "core/document/group_tree.hpp"
 #include "core/document/words.hpp"
 
 namespace hariko {
@@ -52,6 +55,19 @@ static void write_value(DocumentText& text, const Source& source) {
   std::visit([&](const auto& one) { write_value(text, one); }, source);
 }
 
+/// Moves the origin of a source whose place carries it into that place.
+static void fold_origin(JsonReader& reader, const JsonCursor& object, const Source& source,
+                        Similarity& transform) {
+  if (!origin_is_folded(source) || reader.version() < origin_since_version) return;
+  reader.if_member(object, "source", [&](const JsonCursor& at) {
+    reader.if_member(at, "origin", [&](const JsonCursor& member) {
+      transform = with_origin(transform, reader.vector(member));
+      if (!reader.failed() && !transform.translation.allFinite())
+        reader.fail(member, "the place of the object is not finite");
+    });
+  });
+}
+
 /// Rule for the names of objects.
 struct ObjectName {};
 static void read_value(JsonReader& reader, const JsonCursor& at, std::string& name, const ObjectName&) {
@@ -68,15 +84,31 @@ struct FileObject {
   DisplaySettings display;
   std::optional<Source> source;
   KeptMembers kept;
+  GroupId group = {};
 };
+
+/// The own switches of an object: what its groups do follows from them.
+static bool& visible_of(FileObject& object) {
+  return object.visible;
+}
+static bool visible_of(const Object& object) {
+  return object.visible_itself();
+}
+static bool& locked_of(FileObject& object) {
+  return object.locked;
+}
+static bool locked_of(const Object& object) {
+  return object.locked_itself();
+}
 
 template <class Archive, class AnyObject>
 void describe_object(Archive& archive, AnyObject& object) {
   archive.lines();
   archive.required("id", object.id);
   archive.required("name", object.name, ObjectName{});
-  archive.member("visible", object.visible);
-  archive.member("locked", object.locked);
+  archive.member("visible", visible_of(object));
+  archive.member("locked", locked_of(object));
+  archive.changed("group", object.group, GroupId{}, Whole{0, Group::max_id});
   archive.member("transform", object.transform);
   archive.member("display", object.display);
   archive.required("source", object.source);
@@ -89,9 +121,11 @@ static void read_value(JsonReader& reader, const JsonCursor& at, std::shared_ptr
   ReadArchive archive(reader, at);
   describe_object(archive, file);
   if (reader.failed()) return;
+  fold_origin(reader, at, *file.source, file.transform);
+  if (reader.failed()) return;
   object = std::make_shared<const Object>(Object{file.id, std::move(file.name), file.visible, file.locked,
                                                  file.transform, file.display, *std::move(file.source),
-                                                 std::move(file.kept)});
+                                                 std::move(file.kept), file.group});
 }
 static void write_value(DocumentText& text, const std::shared_ptr<const Object>& object) {
   WriteArchive archive(text);
@@ -115,7 +149,9 @@ void describe(Archive& archive, Described<Archive, Document>& document) {
   archive.member("unit", document.unit);
   archive.member("next_object_id", document.next_object_id, Whole{0, no_index});
   archive.required_list("objects", document.objects, Count{0, Document::max_objects});
+  archive.shared(document.groups, [&](auto& groups) { archive.list("groups", groups); });
   archive.shared(document.dimensions, [&](auto& dimensions) { archive.list("dimensions", dimensions); });
+  archive.shared(document.saved_views, [&](auto& views) { archive.list("views", views); });
   archive.changed("making", document.making, {});
   archive.changed("paper", document.paper, nullptr);
   archive.kept(document.kept);
@@ -157,6 +193,18 @@ static void check_object_ids(JsonReader& reader, const JsonCursor& root, Documen
     reader.fail(root, "next_object_id must be above the ids of all objects");
 }
 
+/// Checks that the groups of objects exist and that every group has an object.
+static void check_groups(JsonReader& reader, const JsonCursor& root, const Document& document) {
+  for (const auto& object : document.objects)
+    if (object->group != GroupId{} && !find_group(*document.groups, object->group))
+      return reader.fail(
+          root, "the object " + std::to_string(object->id.value) + " lies in a group that does not exist");
+  const GroupTree tree(document);
+  for (const Group& group : *document.groups)
+    if (!tree.contains(group.id))
+      return reader.fail(root, "the group " + std::to_string(group.id.value) + " has no objects");
+}
+
 }  // namespace detail
 
 Result<Document> read_document(std::string_view text) {
@@ -169,10 +217,11 @@ Result<Document> read_document(std::string_view text) {
   Document document;
   detail::read_described(reader, root, document);
   if (!reader.failed()) detail::check_object_ids(reader, root, document);
+  if (!reader.failed()) detail::check_groups(reader, root, document);
   if (!reader.failed())
     if (const auto checked = check_packed_pictures(document); !checked) reader.fail(checked.error());
   if (reader.failed()) return reader.error();
-  return document;
+  return with_group_switches(document);
 }
 
 std::string write_document(const Document& document) {

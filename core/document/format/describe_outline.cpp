@@ -1,6 +1,7 @@
 // Outlines in files.
 
 #include "core/document/format/archive.hpp"
+#include "core/document/format/describe_origin.hpp"
 #include "core/document/format/described.hpp"
 #include "core/document/format/read_outline.hpp"
 #include "core/document/format/read_text.hpp"
@@ -54,6 +55,7 @@ template <class Archive>
 void describe(Archive& archive, Described<Archive, OutlineSource>& source) {
   archive.lines();
   archive.constant("kind", OutlineSource::kind);
+  describe_origin(archive);
   archive.shared(source.outline, [&](auto& outline) { describe_members(archive, outline); });
   describe_members(archive, source.settings);
   archive.kept(source.kept);

@@ -3,6 +3,7 @@
 
 #include <set>
 
+#include "core/document/format/describe_origin.hpp"
 #include "core/document/format/described.hpp"
 #include "core/document/format/format.hpp"
 #include "core/document/format/read_skin.hpp"
@@ -237,6 +238,7 @@ template <class Archive>
 void describe(Archive& archive, Described<Archive, SkinSource>& source) {
   archive.lines();
   archive.constant("kind", SkinSource::kind);
+  describe_origin(archive);
   archive.shared(source.skin, [&](auto& skin) { describe_members(archive, skin); });
   archive.kept(source.kept);
 }

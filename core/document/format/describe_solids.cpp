@@ -5,6 +5,7 @@
 #include <string>
 
 #include "core/base/text/sanitized_utf8.hpp"
+#include "core/document/format/describe_origin.hpp"
 #include "core/document/format/described.hpp"
 #include "core/document/format/read_solids.hpp"
 #include "core/document/format/read_text.hpp"
@@ -187,6 +188,7 @@ template <class Archive>
 void describe(Archive& archive, Described<Archive, SolidsSource>& source) {
   archive.lines();
   archive.constant("kind", SolidsSource::kind);
+  describe_origin(archive);
   archive.shared(source.input, [&](auto& input) { describe_members(archive, input); });
   archive.kept(source.kept);
 }

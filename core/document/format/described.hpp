@@ -15,6 +15,19 @@ namespace hariko::detail {
 void read_value(JsonReader& reader, const JsonCursor& at, Dimensions& dimensions);
 void write_value(DocumentText& text, const Dimension& dimension);
 
+/// Reads the value of the document's member "groups". Their parents exist, ids ascend, none contains itself.
+void read_value(JsonReader& reader, const JsonCursor& at, Groups& groups);
+void write_value(DocumentText& text, const Group& group);
+
+void read_value(JsonReader& reader, const JsonCursor& at, Colour& colour);
+void write_value(DocumentText& text, const Colour& colour);
+/// Reads the value of the document's member "views".
+void read_value(JsonReader& reader, const JsonCursor& at, SavedViews& views);
+void write_value(DocumentText& text, const SavedView& view);
+
+/// Unit quaternion as the row [w, x, y, z].
+void read_value(JsonReader& reader, const JsonCursor& at, Eigen::Quaterniond& rotation);
+void write_value(DocumentText& text, const Eigen::Quaterniond& rotation);
 void read_value(JsonReader& reader, const JsonCursor& at, Similarity& transform);
 void write_value(DocumentText& text, const Similarity& transform);
 void read_value(JsonReader& reader, const JsonCursor& at, DisplaySettings& display);

@@ -46,10 +46,22 @@ std::size_t bytes_of(const PaperModel& paper) {
          list(paper.strips) + list(paper.places) + list(paper.strip_places) + bytes_of(paper.kept);
 }
 
+std::size_t bytes_of(const SavedViews& views) {
+  std::size_t bytes = block_overhead + views.capacity() * sizeof(SavedView);
+  for (const SavedView& view : views) bytes += bytes_of(view.name);
+  return bytes;
+}
+
 std::size_t bytes_of(const Dimensions& dimensions) {
   std::size_t bytes = block_overhead + dimensions.capacity() * sizeof(Dimension);
   for (const Dimension& dimension : dimensions)
     bytes += block_overhead + dimension.anchors.capacity() * sizeof(Anchor);
+  return bytes;
+}
+
+std::size_t bytes_of(const Groups& groups) {
+  std::size_t bytes = block_overhead + groups.capacity() * sizeof(Group);
+  for (const Group& group : groups) bytes += block_overhead + group.name.capacity();
   return bytes;
 }
 
@@ -182,6 +194,8 @@ void SharedMemory::add(const Document& document) {
   bytes_ += own_bytes(document);
   enter(document.kept.get(), bytes_of(*document.kept));
   enter(document.dimensions.get(), bytes_of(*document.dimensions));
+  enter(document.saved_views.get(), bytes_of(*document.saved_views));
+  enter(document.groups.get(), bytes_of(*document.groups));
   if (document.paper) enter(document.paper.get(), bytes_of(*document.paper));
   for (const auto& object : document.objects)
     if (enter(object.get(), own_bytes(*object)))
@@ -192,6 +206,8 @@ void SharedMemory::remove(const Document& document) {
   bytes_ -= own_bytes(document);
   leave(document.kept.get());
   leave(document.dimensions.get());
+  leave(document.saved_views.get());
+  leave(document.groups.get());
   if (document.paper) leave(document.paper.get());
   for (const auto& object : document.objects)
     if (leave(object.get()))

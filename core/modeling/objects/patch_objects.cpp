@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/document/edits/edit_elements.hpp"
+#include "core/document/edits/edit_groups.hpp"
 #include "core/document/edits/edit_objects.hpp"
 #include "core/document/edits/edit_support.hpp"
 #include "core/modeling/edit_result.hpp"
@@ -34,14 +35,12 @@ std::vector<BezierPatch> patches_of(const Object& object) {
   return out;
 }
 
-/// Moves the objects `made`, which are at the end of the list, to the place of the object `old`, and removes
-/// all of `gone`.
+/// Moves the objects `made`, which lie in no group, to the place of the object `old`, and removes all of
+/// `gone`.
 Result<Document> replaced(const Document& document, ObjectId old, std::span<const ObjectId> made,
                           std::span<const ObjectId> gone) {
-  const auto at = std::find_if(document.objects.begin(), document.objects.end(),
-                               [&](const auto& object) { return object->id == old; });
-  const auto ordered =
-      reorder_objects(document, made, static_cast<std::size_t>(at - document.objects.begin()));
+  const std::vector<Member> rows(made.begin(), made.end());
+  const auto ordered = move_members(document, rows, {document.find(old)->group, old});
   if (!ordered) return ordered.error();
   return delete_objects(*ordered, gone);
 }
@@ -71,6 +70,9 @@ Result<SeparatedPatches> separate_patches(const Document& document, ObjectId id)
     part.id = ObjectId{k + 1};
     part.name = detail::name_with(object->name, " " + std::to_string(k + 1));
     part.source = std::move(source).value();
+    part.visible = part.visible_itself();
+    part.hidden_by_group = false;
+    part.group = {};
     parts.objects.push_back(std::make_shared<const Object>(std::move(part)));
   }
   const auto appended = append_document(document, parts);

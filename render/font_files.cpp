@@ -1,4 +1,4 @@
-#include "ui/base/font_files.hpp"
+#include "render/font_files.hpp"
 
 #include <fontconfig/fontconfig.h>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// Font files: where the fonts of the interface lie on this machine, as fontconfig finds them.
+// Font files: where the fonts of the interface and of pictures lie on this machine, as fontconfig finds them.
 
 #include <optional>
 #include <string>

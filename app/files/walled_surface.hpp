@@ -1,0 +1,30 @@
+#pragma once
+
+// Surfaces of objects as they are exported: themselves, at a distance, or as bodies with a thickness.
+
+#include <optional>
+
+#include "core/document/document.hpp"
+#include "core/modeling/surfacing/object_surfacer.hpp"
+#include "core/offset/offset_surface.hpp"
+
+namespace hariko {
+
+inline constexpr Code e_offset_facets{"E_OFFSET_FACETS"};
+inline constexpr Code e_offset_folds{"E_OFFSET_FOLDS"};
+
+/// Treatment of walls that fold over themselves: along the edge of a fold no tolerance can be kept.
+enum class FoldedWalls { refuse, tell };
+
+/// Surface of an object at quality `final`, in its own space, with the wall, whose lengths are the
+/// document's. Its warnings are those of the wall, with the object's name. Errors, with the object's name:
+/// those of `object_surface` and `wall_surface`; E_OFFSET_FOLDS, with the largest distance that does not
+/// fold, where folds are refused.
+Result<ObjectSurface> walled_surface(const Document& document, const Object& object, const Wall& wall,
+                                     FoldedWalls folds, const CancelToken& cancel = {});
+
+/// E_OFFSET_FACETS where a wall is asked for and a visible object has reference facets, which have no normals
+/// to go along.
+std::optional<Message> why_no_wall(const Document& document, const Wall& wall);
+
+}  // namespace hariko
