@@ -56,7 +56,10 @@ CadEdges::End CadEdges::end_of(const CadEdge& edge, bool at_end) const {
   const CadPiece& own = piece(use);
   End out;
   std::array<Vector3, 3> normals, directions;
-  const double from = at_end ? use.end : use.begin, step = (at_end ? -1e-3 : 1e-3) * (use.end - use.begin);
+  // Curvature grows without bounds toward most extraordinary vertices: there it is that of the first stretch.
+  const double inward = own.warps.empty() ? 1e-3 : 2e-2;
+  const double from = at_end ? use.end : use.begin,
+               step = (at_end ? -inward : inward) * (use.end - use.begin);
   double speed = 0;
   for (std::size_t k = 0; k < 3; ++k) {
     const Vector2 at = own.parameter(use.side, from + double(k + 1) * step);

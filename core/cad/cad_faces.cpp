@@ -259,6 +259,7 @@ class FaceMaker {
       if (!face.fit) return;
       face.out.surface = face.fit->surface();
       face.out.reached = !(misses[f].worst > 1);
+      face.out.folded = face.fit->folds();
       if (last) return;
       const bool s = halve(face.s, misses[f].s), t = halve(face.t, misses[f].t);
       if (!s && !t) return;

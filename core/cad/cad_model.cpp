@@ -37,13 +37,16 @@ struct Attempt {
   CadPieces pieces;
   int degree;
   bool bends = false;  ///< see `EdgeTask::bends`
+  /// With `CadPiece::warps`. An attempt without them is made only where faces of one with them have faults.
+  bool warped = true;
 };
 /// Degrees and pieces to try. Cubics and polynomial Bezier patches keep their own degree; all else is fitted
 /// by whatever weighs least. Attempts end as soon as they weigh more than those before; first come cubics of
-/// single patches, whose time is bounded however tight the tolerance is.
+/// single patches, whose time is bounded however tight the tolerance is. Faces that fold at warped vertices,
+/// as on steep domes, lie better in their own parameters.
 std::vector<Attempt> attempts_for(const Surface& surface, const CadModelOptions& options) {
   if (has_form<SubdivisionPatch>(surface) || has_form<BicubicPatch>(surface))
-    return {{CadPieces::faces, cubic}};
+    return {{CadPieces::faces, cubic}, {CadPieces::faces, cubic, false, false}};
   if (const auto degree = bezier_degree(bezier_patches(surface))) return {{CadPieces::faces, *degree}};
   if (has_form<ChartPatch>(surface)) return {{CadPieces::faces, quintic, true}};
   if (surface.domain() == Domain::square)
@@ -89,19 +92,31 @@ std::size_t weight(const CadModel& model) {
   return out;
 }
 
-/// Number of faces that miss the tolerance; it is compared before the weight.
-std::size_t unreached(const CadModel& model) {
-  return std::size_t(std::count_if(model.faces.begin(), model.faces.end(),
-                                   [](const CadFace& face) { return !face.reached; }));
+/// Numbers of faces that are folded and that miss the tolerance; they are compared in this order, before the
+/// weight.
+using Faults = std::pair<std::size_t, std::size_t>;
+Faults faults(const CadModel& model) {
+  Faults out;
+  for (const CadFace& face : model.faces) {
+    out.first += face.folded;
+    out.second += !face.reached;
+  }
+  return out;
+}
+
+bool has_warps(const CadModel& model) {
+  return std::any_of(model.pieces.begin(), model.pieces.end(),
+                     [](const CadPiece& piece) { return !piece.warps.empty(); });
 }
 
 /// Builds CAD models of one surface, each of one degree.
 class Maker {
  public:
-  Maker(const Surface& surface, CadPieces which, const CadModelOptions& options, const CancelToken& cancel)
+  Maker(const Surface& surface, const Attempt& attempt, const CadModelOptions& options,
+        const CancelToken& cancel)
       : surface_(surface),
         cancel_(cancel),
-        pieces_(cad_pieces(surface, which)),
+        pieces_(cad_pieces(surface, attempt.pieces, attempt.warped)),
         plan_(plan_cad(surface, pieces_)) {
     for (const CadPiece& piece : pieces_) points_.emplace_back(surface, piece);
     const Eigen::AlignedBox3d box = box_of(surface);
@@ -189,17 +204,22 @@ Result<CadModel> make_cad_model(const Surface& surface, const CadModelOptions& o
   if (surface.patch_count() == 0) return CadModel{};
   std::optional<CadModel> best;
   if (!options.whole_faces && may_be_quartics(surface, box_of(surface).diagonal().norm()))
-    best = Maker(surface, CadPieces::patches, options, cancel).make_exact(quartic_degree);
+    best = Maker(surface, Attempt{CadPieces::patches, quartic_degree}, options, cancel)
+               .make_exact(quartic_degree);
   if (!best || !options.exact) {
     const std::vector<Attempt> attempts = attempts_for(surface, options);
     double done = 0;
     for (const Attempt& attempt : attempts) {
       const double next = done + 1.0 / double(attempts.size());
-      const Maker maker(surface, attempt.pieces, options, cancel);
-      const std::size_t missed = best ? unreached(*best) : std::numeric_limits<std::size_t>::max();
-      const std::size_t heaviest = missed == 0 ? weight(*best) : std::numeric_limits<std::size_t>::max();
-      auto made = maker.make(attempt, heaviest, progress.part(done, next));
-      if (made && (missed == 0 || unreached(*made) < missed)) best = std::move(made);
+      const bool fine = best && faults(*best) == Faults();
+      const bool wanted = attempt.warped || (best && !fine && has_warps(*best));
+      const std::size_t heaviest = fine ? weight(*best) : std::numeric_limits<std::size_t>::max();
+      auto made =
+          wanted ? Maker(surface, attempt, options, cancel).make(attempt, heaviest, progress.part(done, next))
+                 : std::nullopt;
+      // One that is as good weighs less.
+      if (made && (!best || (fine ? faults(*made) == Faults() : faults(*made) < faults(*best))))
+        best = std::move(made);
       done = next;
     }
   }

@@ -33,6 +33,7 @@ struct CadFace {
   std::array<std::vector<Index>, 4> sides;  ///< edges along the four sides, counter-clockwise
   bool exact = false;                       ///< equals the surface, to rounding
   bool reached = true;                      ///< keeps the tolerance at the places where the fit was sampled
+  bool folded = false;                      ///< turns its back to the surface at one of these places
 };
 
 /// Surface as vertices, edges and faces. Positions are relative to `origin`.

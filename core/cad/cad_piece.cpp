@@ -203,7 +203,7 @@ std::vector<double> warp_exponents(const Surface& surface) {
     if (seam.intended == Continuity::g0) mark(seam.first, sharp);
   std::vector<double> out(surface.node_count(), 1);
   for (Index node = 0; node < surface.node_count(); ++node)
-    if (!sharp[node] && valence[node] > 2 && (border[node] || valence[node] != 4))
+    if (!sharp[node] && valence[node] > (border[node] ? 2 : 4))
       out[node] = border[node] ? border_exponent(valence[node]) : warp_exponent(valence[node]);
   return out;
 }
@@ -267,12 +267,12 @@ Vector2 CadPiece::parameter(int side, double x) const {
   }
 }
 
-std::vector<CadPiece> cad_pieces(const Surface& surface, CadPieces which) {
+std::vector<CadPiece> cad_pieces(const Surface& surface, CadPieces which, bool warped) {
   if (surface.patch_count() == 0) return {};
   if (const ChartEvaluation* charts = charts_of(surface)) return chart_pieces(surface.patches(), *charts);
   if (surface.domain() == Domain::square) {
     std::vector<CadPiece> out = merged_squares(surface);
-    set_warps(surface, out);
+    if (warped) set_warps(surface, out);
     return out;
   }
   if (which == CadPieces::faces) return fan_pieces(surface);

@@ -69,8 +69,9 @@ enum class CadPieces {
 
 /// Pieces that cover a surface once, without degenerate sides. Faces of triangles round a split point, and
 /// faces of mode G2, are one square where they have four sides, otherwise one square per corner. No piece
-/// meets itself. O(patches).
-std::vector<CadPiece> cad_pieces(const Surface& surface, CadPieces which = CadPieces::faces);
+/// meets itself. `warped`: with `CadPiece::warps`. O(patches).
+std::vector<CadPiece> cad_pieces(const Surface& surface, CadPieces which = CadPieces::faces,
+                                 bool warped = true);
 
 /// Patches of a surface of Bezier patches; none for other surfaces.
 std::vector<BezierPatch> bezier_patches(const Surface& surface);

@@ -213,6 +213,28 @@ std::vector<double> FaceFit::times(const FitLimits& limits) const {
   return out;
 }
 
+bool FaceFit::folds() const {
+  const auto turned = [](const PatchPoint& want, const PatchPoint& got) {
+    return has_normal(want) && has_normal(got) && unit_normal(want).dot(unit_normal(got)) < 0;
+  };
+  const std::vector<PatchPoint> all = fitted();
+  for (std::size_t k = 0; k < all.size(); ++k)
+    if (turned(under_[k], all[k])) return true;
+  // Sides, where no sample lies, are looked at as well: narrow faces fold there first.
+  constexpr int steps = 4;
+  const SplineEvaluator face(surface_);
+  const auto folds_at = [&](double s, double t) { return turned(model_.at(s, t), face.at(s, t)); };
+  const auto along = [&](const SplineSpace& space, const auto& folds_there) {
+    for (std::size_t span = 0; span < space.span_count(); ++span)
+      for (int i = 0; i <= steps; ++i)
+        if (folds_there(space.breaks[span] + i * span_width(space, span) / steps)) return true;
+    return false;
+  };
+  const SplineSpace &s = surface_.s, &t = surface_.t;
+  return along(s, [&](double x) { return folds_at(x, t.begin()) || folds_at(x, t.end()); }) ||
+         along(t, [&](double x) { return folds_at(s.begin(), x) || folds_at(s.end(), x); });
+}
+
 FaceMiss FaceFit::miss(const FitLimits& limits) const {
   FaceMiss out{0, std::vector<char>(surface_.s.span_count(), 0),
                std::vector<char>(surface_.t.span_count(), 0)};

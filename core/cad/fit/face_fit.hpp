@@ -43,6 +43,8 @@ class FaceFit {
   void slide();
   /// Deviation from the surface itself.
   FaceMiss miss(const FitLimits& limits) const;
+  /// Whether the face turns its back to the surface at a sampled place or on a side.
+  bool folds() const;
 
  private:
   std::size_t place(std::size_t i, std::size_t j) const { return j * samples_.s.size() + i; }
