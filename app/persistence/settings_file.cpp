@@ -15,6 +15,7 @@
 #include "core/exchange/mesh_file.hpp"
 #include "render/picture.hpp"
 #include "ui/base/settings_members.hpp"
+#include "ui/files/key_file.hpp"
 
 namespace hariko {
 
@@ -293,6 +294,7 @@ SettingsFile::Loaded SettingsFile::load() {
   kept_ = *text;
   Reader reader(json);
   visit_settings(reader, loaded.settings);
+  take_present_ids(loaded.settings.keys);
   reader.exports(loaded.exports);
   if (!reader.wrong().empty())
     loaded.problems.push_back(make_warning(

@@ -36,5 +36,16 @@ TEST(KeyFile, RefusesEverythingElseWithAReason) {
   }
 }
 
+TEST(KeyFile, KeysOfChangedIdsStayWithTheirCommands) {
+  const auto read = read_key_file(write_key_file({{"property.preferences.turning", "Ctrl+Alt+T"},
+                                                  {"property.preferences.colours", "Ctrl+Alt+C"},
+                                                  {"property.preferences.colour_blind_maps", "Ctrl+Alt+M"},
+                                                  {"edit.undo", "Ctrl+Z"}}));
+  ASSERT_TRUE(read.ok());
+  EXPECT_EQ(*read, (KeyOverrides{{"property.preferences.trackball", "Ctrl+Alt+T"},
+                                 {"property.preferences.colour_blind_maps", "Ctrl+Alt+M"},
+                                 {"edit.undo", "Ctrl+Z"}}));
+}
+
 }  // namespace
 }  // namespace hariko

@@ -1,6 +1,8 @@
 #include "ui/files/key_file.hpp"
 
+#include <array>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "ui/base/language.hpp"
 
@@ -39,7 +41,21 @@ Result<KeyOverrides> read_key_file(std::string_view text) {
       return refused(translatable("This file of keys has an entry that is not a text."));
     overrides[id] = chords.get<std::string>();
   }
+  take_present_ids(overrides);
   return overrides;
+}
+
+void take_present_ids(KeyOverrides& keys) {
+  constexpr std::array<std::pair<const char*, const char*>, 3> changed{{
+      {"property.preferences.turning", "property.preferences.trackball"},
+      {"property.preferences.autosave", "property.preferences.autosave_seconds"},
+      {"property.preferences.colours", "property.preferences.colour_blind_maps"},
+  }};
+  for (const auto& [before, now] : changed)
+    if (auto node = keys.extract(before)) {
+      node.key() = now;
+      keys.insert(std::move(node));
+    }
 }
 
 }  // namespace hariko

@@ -23,4 +23,7 @@ std::string write_key_file(const KeyOverrides& keys);
 /// commands, keys that are none and keys given twice are named by `CommandTable::rebind`.
 Result<KeyOverrides> read_key_file(std::string_view text);
 
+/// Gives keys of commands whose ids have changed the present ids. Keys of the present id stay.
+void take_present_ids(KeyOverrides& keys);
+
 }  // namespace hariko
