@@ -35,7 +35,7 @@ struct CadObjectReport {
   /// Largest across the same edges, relative to the curvature there; only with `curvature`.
   double curvature_jump = 0;
   std::size_t unreached = 0;           ///< faces that do not keep the tolerance
-  std::vector<Message> warnings = {};  ///< of the wall
+  std::vector<Message> warnings = {};  ///< messages of the wall
 };
 
 /// Report on an export.

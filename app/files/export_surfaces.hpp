@@ -32,7 +32,7 @@ struct NamedMesh {
   std::string name;
   TriangleMesh mesh;  ///< in the document's space
   MeshColour colour;
-  std::vector<Message> warnings = {};  ///< of the wall
+  std::vector<Message> warnings = {};  ///< messages of the wall
 };
 
 /// Triangles of all visible objects: surfaces at quality `final`, with `density` intervals along each patch

@@ -22,7 +22,7 @@ struct MeshedObject {
   std::optional<MeshErrorMap> errors;  ///< where requested; positions are relative to `surface_origin`
   Vector3 surface_origin = Vector3::Zero();
   MeshColour colour = usual_mesh_colour;
-  std::vector<Message> warnings = {};  ///< of the wall
+  std::vector<Message> warnings = {};  ///< messages of the wall
   /// Part of the tolerance that is left for the file's rounding; nothing where no distance was promised.
   std::optional<double> most_rounding = {};
   /// Part of promised angles that is left for the file's rounding, radians; nothing where none is promised,

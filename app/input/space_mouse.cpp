@@ -75,7 +75,7 @@ class SpaceMouse::Listener {
   }
   ~Listener() {
     if (thread_.joinable()) {
-      close(end_[1]);  // what waits for the pipe sees its end
+      close(end_[1]);  // ends the wait for the pipe
       thread_.join();
       close(end_[0]);
     }

@@ -26,7 +26,7 @@ struct Group {
   GroupId parent = {};                ///< group that it lies in; none: it lies in no other
   bool visible = true;                ///< its own switch: what it contains is hidden where it is off
   bool locked = false;                ///< its own switch: what it contains is locked where it is on
-  std::optional<Colour> colour = {};  ///< of its mark in the list
+  std::optional<Colour> colour = {};  ///< colour of its mark in the list
 
   static constexpr std::size_t max_depth = 16;
   static constexpr std::uint32_t max_id = 0x7fffffffU;

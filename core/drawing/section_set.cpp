@@ -22,7 +22,7 @@ constexpr double least_slope = 1e-6;  ///< sine of the angle between plane and s
 /// Share of the way to the middle of a patch, whose corners may be singular.
 constexpr double corner_inset = 1e-7;
 constexpr double circle_steps = 8;  ///< distance of points on a circle through three, mean segments
-constexpr double typical_tooth = 0.06, longest_tooth = 0.15, tooth_step = 1.0 / 150;  ///< of the size
+constexpr double typical_tooth = 0.06, longest_tooth = 0.15, tooth_step = 1.0 / 150;  ///< shares of the size
 
 Eigen::AlignedBox3d box_of_surfaces(std::span<const DrawnSurface> surfaces) {
   Eigen::AlignedBox3d box;

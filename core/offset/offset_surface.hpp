@@ -42,7 +42,7 @@ struct Wall {
 /// Offset surface or shell. Its first patches are those of the surface, in their order.
 struct OffsetSurface {
   Surface surface;
-  std::vector<OffsetFolds> folds;  ///< of the offset, or of the outer and the inner one
+  std::vector<OffsetFolds> folds;  ///< folds of the offset, or of the outer and the inner one
   std::size_t sharp_edges = 0;     ///< closed by parts of tubes round them
   std::size_t crossings = 0;       ///< sharp edges on whose narrow side the offsets cross
   std::size_t gaps = 0;            ///< ends of strips that could not be joined

@@ -60,7 +60,7 @@ void plane_rows(PanelContext& context, SectionCurves& curves) {
   if (ImGui::SliderInt("##section_count", &count, 1, 50, "%d", ImGuiSliderFlags_None))
     planes.count = std::clamp(count, 1, SectionPlanes::most);
   context.marks.item("slider.section_count");
-  constexpr double share = 0.01;  // of the spacing, for each pixel of a drag
+  constexpr double share = 0.01;  // share of the spacing for each pixel of a drag
   length_drag(context, "section_first", "First at", "Place of the first plane along the direction",
               planes.first, share * planes.spacing, std::numeric_limits<double>::lowest());
   if (planes.count > 1)

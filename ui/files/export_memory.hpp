@@ -16,7 +16,7 @@ struct ExportMemory {
   CadChoices cad;                                 ///< tolerance 0: nothing was chosen yet
   PictureSettings picture;
   DrawingSettings drawing;
-  std::map<std::string, std::string> folders;  ///< of the last file, by kind: "import", "cad"
+  std::map<std::string, std::string> folders;  ///< folder of the last file, by kind: "import", "cad"
 
   friend bool operator==(const ExportMemory&, const ExportMemory&) = default;
 };

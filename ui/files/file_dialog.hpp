@@ -41,7 +41,7 @@ class FileDialog {
   /// Heights that the list and the settings have below the path.
   struct Fit {
     bool folded = false;  ///< the settings stand in place of the list when they are asked for
-    float height = 0;     ///< of the list, or of what stands in its place
+    float height = 0;     ///< height of the list, or of what stands in its place
     bool header = true;   ///< the list has names of columns
   };
   Fit fit() const;
@@ -80,7 +80,7 @@ class FileDialog {
   std::string name_, error_;
   float footer_height_ = 0, settings_height_ = 0;  ///< when they were drawn last; 0 before
   bool settings_shown_ = false;                    ///< where they are folded
-  std::string replaced_;                           ///< what the question about replacing names
+  std::string replaced_;                           ///< file that the question about replacing names
 };
 
 }  // namespace hariko

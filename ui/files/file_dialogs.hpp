@@ -94,8 +94,8 @@ class FileDialogs {
   CadOptions cad_options_;
   PictureSettings picture_settings_;
   DrawingOptions drawing_options_;
-  std::string picture_ending_ = ".png";         ///< of the last picture
-  std::map<std::string, std::string> folders_;  ///< of the last file, by kind of file
+  std::string picture_ending_ = ".png";         ///< ending of the last picture
+  std::map<std::string, std::string> folders_;  ///< folder of the last file, by kind of file
 };
 
 }  // namespace hariko

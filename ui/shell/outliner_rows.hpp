@@ -11,7 +11,7 @@ namespace hariko {
 
 struct OutlinerRow {
   Member member;
-  std::size_t index = 0;  ///< of an object: its place in the document
+  std::size_t index = 0;  ///< place of an object in the document
   int depth = 0;          ///< groups that it lies in
 };
 

@@ -20,7 +20,7 @@ struct PreferenceRow {
   const char* label = "";
   const char* note = "";  ///< a sentence below
   PreferenceEnd off = {}, on = {};
-  double low = 0, high = 0;  ///< of the slider of a number
+  double low = 0, high = 0;  ///< range of the slider of a number
   const char* format = "";   ///< likewise
   bool logarithmic = false;  ///< likewise
 };

@@ -28,7 +28,7 @@ struct OutlinerTree {
   std::vector<std::shared_ptr<const Object>> objects;
   Shared<Groups> groups;
   std::shared_ptr<const GroupTree> tree;
-  std::map<ObjectId, std::size_t> places;  ///< of the objects in the document
+  std::map<ObjectId, std::size_t> places;  ///< places of the objects in the document
 };
 
 /// What the list of objects remembers between frames.
