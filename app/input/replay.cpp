@@ -143,7 +143,8 @@ void read_line(const Json& json, Replay& replay) {
   const double before = replay.steps.empty() ? 0 : replay.steps.back().time;
   if (!(step.time >= before)) throw std::runtime_error("times descend");
   if (json.contains("end")) {
-    replay.document_hash = json.at("end").at("document").get<std::string>();
+    replay.document = json.at("end").at("document").get<std::string>();
+    if (replay.document.empty()) throw std::runtime_error("the document is missing");
     replay.undo_steps = json.at("end").at("steps").get<std::size_t>();
     step.waits_for_idle = true;
   } else if (json.contains("idle")) {
@@ -168,7 +169,7 @@ Result<Replay> Replay::read(const std::filesystem::path& path) {
       const Json json = Json::parse(line);
       if (number == 1)
         read_start(json, std::filesystem::absolute(path).parent_path(), replay.start);
-      else if (!replay.document_hash.empty())
+      else if (!replay.document.empty())
         throw std::runtime_error("something follows the end");
       else
         read_line(json, replay);
@@ -178,22 +179,27 @@ Result<Replay> Replay::read(const std::filesystem::path& path) {
                         "Record the replay again.");
     }
   }
-  if (replay.document_hash.empty())
+  if (replay.document.empty())
     return make_error(e_replay_read,
                       path.string() + " has no end: the program that recorded it did not end well.",
                       "Record the replay again.");
   return replay;
 }
 
-std::string document_hash(const Document& document) {
-  std::uint64_t hash = 0xcbf29ce484222325ULL;
-  for (const char c : write_document(document)) {
-    hash ^= static_cast<unsigned char>(c);
-    hash *= 0x100000001b3ULL;
+std::optional<std::string> other_document(const Replay& replay, const Document& document) {
+  constexpr std::size_t hash_digits = 16;
+  if (replay.document.size() == hash_digits) return {};
+  const auto recorded = read_document(replay.document);
+  if (!recorded) return "the recorded document cannot be read: " + recorded.error().text;
+  std::istringstream wanted(write_document(recorded.value())), found(write_document(document));
+  for (int number = 1;; ++number) {
+    std::string one, other;
+    const bool more = bool(std::getline(wanted, one)), more_found = bool(std::getline(found, other));
+    if (!more && !more_found) return {};
+    if (one != other)
+      return "the document is another one. Its line " + std::to_string(number) + " is \"" + other +
+             "\" instead of \"" + one + "\".";
   }
-  std::string text(16, '0');
-  for (std::size_t i = 0; i < 16; ++i) text[15 - i] = "0123456789abcdef"[(hash >> (4 * i)) & 15];
-  return text;
 }
 
 ReplayRecorder::ReplayRecorder(const std::filesystem::path& path, const ReplayStart& start, double now)
@@ -243,7 +249,7 @@ void ReplayRecorder::idle(double now) {
 void ReplayRecorder::finish(double now, const Document& document, std::size_t undo_steps) {
   out_ << line_at(since_start(now), [&](JsonWriter& json) {
     json.object("end", [&] {
-      json.member("document", document_hash(document));
+      json.member("document", write_document(document));
       json.member("steps", undo_steps);
     });
   }) << std::endl;

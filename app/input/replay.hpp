@@ -43,15 +43,18 @@ struct ReplayStep {
 struct Replay {
   ReplayStart start;
   std::vector<ReplayStep> steps;
-  std::string document_hash;   ///< `document_hash` of the final document
+  std::string document;        ///< text of the final document, `write_document`; before that was kept, a hash
   std::size_t undo_steps = 0;  ///< number of undo steps at the end
 
   /// Reads a replay file. Errors: those of read_file, E_REPLAY_READ with the line.
   static Result<Replay> read(const std::filesystem::path& path);
 };
 
-/// Hash of the text of the saved document: FNV-1a, 64 bits, as 16 hexadecimal digits.
-std::string document_hash(const Document& document);
+/// Compares the document at the end of a replay with the one that was recorded, both as the present format
+/// writes them: a recording outlives changes of the format. Nothing where they are equal, else a sentence
+/// with the first line that differs. A recording that kept a hash of the text, which a new format changes,
+/// compares nothing.
+std::optional<std::string> other_document(const Replay& replay, const Document& document);
 
 /// Writes a replay during a session. Every line reaches the disk immediately, so that a crash leaves the
 /// input that led to it.

@@ -130,10 +130,8 @@ int ReplaySession::judge() const {
   };
   if (player_->stuck()) return wrong("the program did not come to rest.");
   if (!player_->all_played()) return wrong("the program was left before the end.");
-  const std::string hash = document_hash(editor_.history.current());
-  if (hash != player_->replay().document_hash)
-    return wrong("the document is another one (" + hash + " instead of " + player_->replay().document_hash +
-                 ").");
+  if (const auto difference = other_document(player_->replay(), editor_.history.current()))
+    return wrong(*difference);
   if (editor_.history.position() != player_->replay().undo_steps)
     return wrong("there are " + std::to_string(editor_.history.position()) + " steps to undo instead of " +
                  std::to_string(player_->replay().undo_steps) + ".");

@@ -88,7 +88,24 @@ TEST_F(ReplayFile, GivesBackWhatWasRecorded) {
   }
   EXPECT_TRUE(read.steps[batches.size()].waits_for_idle);
   EXPECT_EQ(read.undo_steps, 3U);
-  EXPECT_EQ(read.document_hash, document_hash(Document()));
+  EXPECT_EQ(read.document, write_document(Document()));
+}
+
+/// Documents are compared as the present format writes them, so that a recording outlives the format.
+TEST(ReplayEnd, DocumentsOfEveryFormatAreCompared) {
+  Replay replay;
+  replay.document = R"({"format": "hariko", "version": 2, "unit": "cm", "next_object_id": 1, "objects": []})";
+  const auto centimetres = read_document(replay.document);
+  ASSERT_TRUE(centimetres.ok()) << centimetres.error().text;
+  EXPECT_EQ(other_document(replay, centimetres.value()), std::nullopt);
+  const auto difference = other_document(replay, Document());
+  ASSERT_TRUE(difference.has_value());
+  EXPECT_NE(difference->find("another one"), std::string::npos) << *difference;
+  EXPECT_NE(difference->find("cm"), std::string::npos) << *difference;
+  replay.document = "no document at all";
+  ASSERT_TRUE(other_document(replay, Document()).has_value());
+  replay.document = "3490dd582ff8a575";
+  EXPECT_EQ(other_document(replay, Document()), std::nullopt);
 }
 
 /// The frame in which a recording begins is older than the recording.
