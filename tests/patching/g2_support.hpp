@@ -20,18 +20,19 @@ inline const G2PatchSet& g2_set(const PolyhedronSurface& surface) {
   return dynamic_cast<const G2PatchSet&>(surface.surface.patches());
 }
 
-/// What rounding of a point's derivatives may do: they are sums of terms as large as the second ones. It
-/// matters where the surface all but folds. The factor is chosen, not derived: 64 was too little for one of
-/// 17,061 points of the random polyhedron of HARIKO_SEED=257282032, by 1.9.
+/// What rounding of a point's derivatives may do: they are sums of terms as large as the largest derivatives
+/// along its seam, which cancel where the point's own are small. It matters where the surface all but folds.
 struct Rounding {
   double normal = 0, curvature = 0;  ///< radians; 1 / length
 
-  explicit Rounding(const PatchPoint& point) {
+  static double terms(const PatchPoint& point) {
+    return point.ds.norm() + point.dt.norm() + point.dss.norm() + point.dst.norm() + point.dtt.norm();
+  }
+  Rounding(const PatchPoint& point, double largest_terms) {
     const double first = std::max(point.ds.norm(), point.dt.norm()),
-                 terms = first + point.dss.norm() + point.dst.norm() + point.dtt.norm(),
                  width = point.ds.cross(point.dt).norm() / first;
-    normal = 256 * std::numeric_limits<double>::epsilon() * terms / width;
-    curvature = normal * terms / (width * width);
+    normal = 256 * std::numeric_limits<double>::epsilon() * largest_terms / width;
+    curvature = normal * largest_terms / (width * width);
   }
 };
 
@@ -52,12 +53,17 @@ inline Jumps jumps_of(const Surface& surface) {
   Jumps out;
   double square = 0;
   for (const Seam& seam : surface.seams()) {
-    for (int k = 0; k <= 32; ++k) {
-      const double x = k / 32.0;
-      const auto at = [&](const PatchSide& side, double fraction) {
-        return surface.patches().evaluate(side.patch, side_parameter(Domain::triangle, side.side, fraction),
-                                          Order::second);
-      };
+    constexpr int steps = 32;
+    const auto at = [&](const PatchSide& side, double fraction) {
+      return surface.patches().evaluate(side.patch, side_parameter(Domain::triangle, side.side, fraction),
+                                        Order::second);
+    };
+    double terms = 0;
+    for (int k = 0; k <= steps; ++k)
+      terms = std::max({terms, Rounding::terms(at(seam.first, k / double(steps))),
+                        Rounding::terms(at(seam.second, k / double(steps)))});
+    for (int k = 0; k <= steps; ++k) {
+      const double x = k / double(steps);
       const PatchPoint a = at(seam.first, x), b = at(seam.second, 1 - x);
       out.gap = std::max(out.gap, (a.position - b.position).norm());
       if (seam.intended == Continuity::g0) continue;
@@ -66,7 +72,7 @@ inline Jumps jumps_of(const Surface& surface) {
       const double sine = p->normal.cross(q->normal).norm(), cosine = p->normal.dot(q->normal);
       // Where the surface folds along the edge, normals are opposite and the planes are compared.
       const double sign = cosine < 0 ? -1 : 1;
-      const Rounding ra(a), rb(b);
+      const Rounding ra(a, terms), rb(b, terms);
       const Jumps::Sample sample{std::atan2(sine, std::abs(cosine)), (p->tensor - sign * q->tensor).norm(),
                                  ra.normal + rb.normal, ra.curvature + rb.curvature};
       out.normal = std::max(out.normal, sample.normal);
