@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/disjoint_sets.hpp"
 #include "core/base/parallel.hpp"
 #include "core/cad/fit/side_tie.hpp"
 
@@ -27,7 +28,7 @@ CadEdges::CadEdges(const EdgeTask& task, const CadPlan& plan, const CancelToken&
     : task_(task), sides_(plan.sides) {
   task_.limits.distance *= curve_share;
   take(plan);
-  bend_ends(plan.vertex_count);
+  bend_ends();
   fit_divided_sides(cancel);
   parallel_for(edges_.size(), 4, [&](std::size_t begin, std::size_t end) {
     for (std::size_t e = begin; e < end && !cancel.cancelled(); ++e) fit(edges_[e]);
@@ -42,8 +43,8 @@ TracedPoint CadEdges::side_point(Index number, int side, double x, bool smooth) 
   const Vector3 along = side % 2 == 0 ? p.ds : p.dt;
   static const std::optional<End> none;
   TracedPoint out{p.position, side < 2 ? along : Vector3(-along)};
-  if (!smooth || !has_normal(p)) return out;
-  out.normal = unit_normal(p);
+  if (!has_normal(p)) return out;
+  if (smooth) out.normal = unit_normal(p);
   const auto& ends = ends_[number][std::size_t(side)];
   const auto& end = x <= 0 ? ends[0] : x >= own.length(side) ? ends[1] : none;
   if (end) out.normal = end->normal, out.bend = end->wanted;
@@ -78,56 +79,82 @@ CadEdges::End CadEdges::end_of(const CadEdge& edge, bool at_end) const {
   return out;
 }
 
-/// Prescribes normal curvatures at vertices where only smooth edges meet: those of the one quadratic form
-/// nearest to the surface's curvatures. Otherwise no smooth faces with continuous second derivatives exist
-/// between the curves (vertex enclosure problem), and knots would accumulate there.
-void CadEdges::bend_ends(Index vertex_count) {
-  ends_.resize(sides_.size());
-  struct Meeting {
-    Index edge;
-    bool at_end;
-  };
-  std::vector<std::vector<Meeting>> round(vertex_count);
-  std::vector<char> fits(vertex_count, 1);
+/// Corner of a piece, four a piece, at which a use of an edge ends; nothing where its side runs on there.
+std::optional<Index> CadEdges::corner_of(const CadEdge& edge, std::size_t use, bool at_end) const {
+  const CadUse& own = edge.uses[use];
+  const bool side_end = (use == 0) == at_end;
+  if (!ends_side(own, side_end)) return {};
+  return 4 * own.piece + Index((own.side + (side_end ? 1 : 0)) % 4);
+}
+
+std::vector<CadEdges::Sector> CadEdges::sectors() const {
+  DisjointSets sets(4 * sides_.size());
+  for (const CadEdge& edge : edges_)
+    for (const bool at_end : {false, true}) {
+      if (!edge.smooth || edge.use_count < 2) continue;
+      const auto first = corner_of(edge, 0, at_end), second = corner_of(edge, 1, at_end);
+      if (first && second) sets.join(*first, *second);
+    }
+  std::vector<Sector> out(4 * sides_.size());
   for (Index e = 0; e < edges_.size(); ++e) {
     const CadEdge& edge = edges_[e];
     for (const bool at_end : {false, true}) {
-      const Index vertex = at_end ? edge.end : edge.begin;
-      round[vertex].push_back({e, at_end});
-      if (!edge.smooth || edge.use_count < 2 || !ends_side(edge.uses[0], at_end) ||
-          !ends_side(edge.uses[1], !at_end))
-        fits[vertex] = 0;
+      const auto first = corner_of(edge, 0, at_end);
+      const auto second = edge.use_count == 2 ? corner_of(edge, 1, at_end) : first;
+      const bool crease = edge.use_count == 2 && !edge.smooth, torn = bool(first) != bool(second);
+      for (const auto& corner : {first, second}) {
+        if (!corner) continue;
+        Sector& sector = out[sets.find(*corner)];
+        sector.creased = sector.creased || crease;
+        sector.torn = sector.torn || torn;
+        sector.closed = sector.closed && edge.use_count == 2;
+        if (sector.ends.empty() || sector.ends.back().edge != e || sector.ends.back().at_end != at_end)
+          sector.ends.push_back({e, at_end});
+      }
     }
   }
-  for (Index v = 0; v < vertex_count; ++v) {
-    if (!fits[v] || round[v].size() < 3) continue;
+  return out;
+}
+
+/// Prescribes normal curvatures in sectors of smooth edges: those of the one quadratic form nearest to the
+/// surface's curvatures. Otherwise no smooth faces with continuous second derivatives exist between the
+/// curves (vertex enclosure problem), and knots would accumulate there. Sectors that end at borders need it
+/// only where faces are to have curvatures in common.
+void CadEdges::bend_ends() {
+  ends_.resize(sides_.size());
+  for (const Sector& sector : sectors()) {
+    const bool common = std::isfinite(task_.limits.bend);
+    if (sector.creased || sector.torn || sector.ends.size() < (common && sector.closed ? 2 : 3)) continue;
+    if (!sector.closed && !common) continue;
     std::vector<End> ends;
     Vector3 normal = Vector3::Zero();
-    for (const Meeting& meeting : round[v]) {
-      ends.push_back(end_of(edges_[meeting.edge], meeting.at_end));
+    for (const EdgeEnd& at : sector.ends) {
+      ends.push_back(end_of(edges_[at.edge], at.at_end));
       normal += ends.back().normal;
     }
     normal.stableNormalize();
     const bool smooth = std::all_of(ends.begin(), ends.end(),
                                     [&](const End& end) { return end.normal.dot(normal) > common_normal; });
-    if (!smooth) continue;
-    const Vector3 x = normal.unitOrthogonal(), y = normal.cross(x);
-    Eigen::MatrixXd rows(Eigen::Index(ends.size()), 3);
-    Eigen::VectorXd bends(Eigen::Index(ends.size()));
-    for (Eigen::Index k = 0; k < bends.size(); ++k) {
-      const Vector3& d = ends[std::size_t(k)].direction;
-      rows.row(k) << d.dot(x) * d.dot(x), 2 * d.dot(x) * d.dot(y), d.dot(y) * d.dot(y);
-      bends[k] = ends[std::size_t(k)].bend;
-    }
-    const Eigen::VectorXd common = rows * rows.colPivHouseholderQr().solve(bends);
-    for (std::size_t k = 0; k < ends.size(); ++k) {
-      const Meeting& meeting = round[v][k];
-      for (std::size_t u = 0; u < 2; ++u) {
-        const CadUse& use = edges_[meeting.edge].uses[u];
-        auto& end = ends_[use.piece][std::size_t(use.side)][(u == 0) == meeting.at_end ? 1 : 0];
-        end = End{ends[k].direction, normal, ends[k].bend};
-        if (task_.bends) end->wanted = common[Eigen::Index(k)];
-      }
+    if (smooth) bend_sector(sector, ends, normal);
+  }
+}
+
+void CadEdges::bend_sector(const Sector& sector, const std::vector<End>& ends, const Vector3& normal) {
+  const Vector3 x = normal.unitOrthogonal(), y = normal.cross(x);
+  Eigen::MatrixXd rows(Eigen::Index(ends.size()), 3);
+  Eigen::VectorXd bends(Eigen::Index(ends.size()));
+  for (Eigen::Index k = 0; k < bends.size(); ++k) {
+    const Vector3& d = ends[std::size_t(k)].direction;
+    rows.row(k) << d.dot(x) * d.dot(x), 2 * d.dot(x) * d.dot(y), d.dot(y) * d.dot(y);
+    bends[k] = ends[std::size_t(k)].bend;
+  }
+  const Eigen::VectorXd common = rows * rows.colPivHouseholderQr().solve(bends);
+  for (std::size_t k = 0; k < ends.size(); ++k) {
+    const auto [e, at_end] = sector.ends[k];
+    for (std::size_t u = 0; u < std::size_t(edges_[e].use_count); ++u) {
+      auto& end = end_at(edges_[e], u, at_end);
+      end = End{ends[k].direction, normal, ends[k].bend};
+      if (task_.bends) end->wanted = common[Eigen::Index(k)];
     }
   }
 }

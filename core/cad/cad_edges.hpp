@@ -62,7 +62,25 @@ class CadEdges {
     std::optional<double> wanted = {};    ///< normal curvature that the fitted curve is to have
   };
   End end_of(const CadEdge& edge, bool at_end) const;
-  void bend_ends(Index vertex_count);
+  struct EdgeEnd {
+    Index edge;
+    bool at_end;
+  };
+  /// Faces round a vertex between which only smooth edges lie, with the ends of all their edges there.
+  struct Sector {
+    std::vector<EdgeEnd> ends;
+    bool creased = false;  ///< an edge is a crease
+    bool torn = false;     ///< the vertex lies within a side of another face
+    bool closed = true;    ///< no edge is a border
+  };
+  std::vector<Sector> sectors() const;
+  std::optional<Index> corner_of(const CadEdge& edge, std::size_t use, bool at_end) const;
+  void bend_ends();
+  void bend_sector(const Sector& sector, const std::vector<End>& ends, const Vector3& normal);
+  std::optional<End>& end_at(const CadEdge& edge, std::size_t use, bool at_end) {
+    const CadUse& own = edge.uses[use];
+    return ends_[own.piece][std::size_t(own.side)][(use == 0) == at_end ? 1 : 0];
+  }
   TracedPoint side_point(Index piece, int side, double x, bool smooth) const;
   FittedCurve curve(const SplineSpace& spline, const SplineSpace& start, Index piece, int side,
                     bool smooth) const;

@@ -18,6 +18,8 @@ namespace {
 constexpr double fit_share = 0.78;
 /// Fraction of the limit of the angle between faces that a fit keeps to, for the same reason.
 constexpr double angle_share = 0.7;
+/// The same of the limit of the jump of curvature.
+constexpr double bend_fit_share = 0.6;
 /// Largest number of rounds of knot insertion.
 constexpr int most_rounds = 12;
 /// Largest number of conjugate gradient steps towards common tangent planes, and of extensions to
@@ -48,6 +50,7 @@ FitLimits limits_of(const EdgeTask& task) {
   FitLimits out = task.limits;
   out.distance *= fit_share - curve_share;
   out.angle *= angle_share;
+  out.bend *= bend_fit_share;
   return out;
 }
 
@@ -168,7 +171,7 @@ class FaceMaker {
       std::vector<char> missed(looked.size(), 0);
       bool some = false;
       for (std::size_t e = 0; e < looked.size(); ++e)
-        if (ties_.worst(Index(e)) > 1) missed[e] = some = true;
+        if (std::max(ties_.worst(Index(e)), ties_.worst_bend(Index(e))) > 1) missed[e] = some = true;
       if (!some) break;
       active = edges_of(neighbours(missed));
       if (widening > 0) {
@@ -188,10 +191,9 @@ class FaceMaker {
   /// the two faces' values.
   void agree(const std::vector<char>& active) {
     const std::vector<char> faces = neighbours(active);
-    std::vector<EdgePlace> none;
     std::vector<Agreed*> agreed;
     for (std::size_t e = 0; e < active.size(); ++e)
-      for (EdgePlace& at : active[e] ? ties_.places(Index(e)) : none) agreed.push_back(&at.turn);
+      if (active[e]) ties_.agreed(Index(e), agreed);
     const auto look = [&] {
       each(faces, 1, [&](Index f) {
         if (!faces_[f].fit) return;
@@ -273,7 +275,8 @@ class FaceMaker {
   /// spans are longer across than along.
   void mark(Index e, std::vector<FaceMiss>& misses) const {
     const CadEdge& edge = edges_.edges()[e];
-    const double worst = ties_.worst(e);
+    const auto miss = [&](const EdgePlace& at) { return std::max(ties_.miss(at), ties_.bend_miss(at)); };
+    const double worst = std::max(ties_.worst(e), ties_.worst_bend(e));
     if (!(worst > 1)) return;
     for (int u = 0; u < 2; ++u) {
       const CadUse& use = edge.uses[std::size_t(u)];
@@ -288,7 +291,7 @@ class FaceMaker {
       const std::size_t beside = use.side == 1 || use.side == 2 ? across.span_count() - 1 : 0;
       const double depth = width(across, beside);
       for (const EdgePlace& at : ties_.places(e)) {
-        if (!(ties_.miss(at) > std::max(1.0, 0.5 * worst))) continue;
+        if (!(miss(at) > std::max(1.0, 0.5 * worst))) continue;
         const std::size_t span = ties_.span(edge, u, at.x);
         along_marks[span] = 1;
         if (span == 0 || span + 1 == along.span_count() || width(along, span) < 0.4 * depth)

@@ -130,22 +130,6 @@ struct Jump {
   double normal = 0, curvature = 0;
 };
 
-/// Normal curvature in one direction of the tangent plane, and the largest of all directions.
-struct Bend {
-  double across = 0, largest = 0;
-};
-Bend bend_of(const PatchPoint& point, const Vector3& direction) {
-  const Vector3 normal = unit_normal(point);
-  const double e = point.ds.squaredNorm(), f = point.ds.dot(point.dt), g = point.dt.squaredNorm(),
-               area = e * g - f * f;
-  const double l = normal.dot(point.dss), m = normal.dot(point.dst), n = normal.dot(point.dtt);
-  const double a = (g * point.ds.dot(direction) - f * point.dt.dot(direction)) / area,
-               b = (e * point.dt.dot(direction) - f * point.ds.dot(direction)) / area;
-  const double mean = (e * n - 2 * f * m + g * l) / (2 * area), gauss = (l * n - m * m) / area;
-  return {a * a * l + 2 * a * b * m + b * b * n,
-          std::abs(mean) + std::sqrt(std::max(0.0, mean * mean - gauss))};
-}
-
 /// Largest jumps between the two faces of an edge.
 Jump jump(const CadModel& model, const CadEdge& edge, int samples) {
   const SplineEvaluator first(model.faces[edge.uses[0].piece].surface),
@@ -163,7 +147,7 @@ Jump jump(const CadModel& model, const CadEdge& edge, int samples) {
     out.normal = std::max(out.normal, angle_between(a, b));
     if (!model.curvature) continue;
     const Vector3 across = a.cross(evaluate(edge.curve, x).derivative).stableNormalized();
-    const Bend one = bend_of(p, across), other = bend_of(q, across);
+    const NormalBend one = normal_bend(p, across), other = normal_bend(q, across);
     const double whole = std::max({one.largest, other.largest, 1 / model.size});
     out.curvature = std::max(out.curvature, std::abs(one.across - other.across) / whole);
   }

@@ -18,6 +18,10 @@ constexpr int cubic = 3, quartic_degree = 4, quintic = 5;
 /// a lower bound of it.
 constexpr double turn_share = 20, least_turn = 2 * std::numbers::pi / 180;
 
+/// Largest relative jump of the curvature of models in mode G2, per radian of the angle between faces: 2 % at
+/// 0.02 degrees.
+constexpr double bend_share = 0.02 / (0.02 * std::numbers::pi / 180);
+
 template <class Form>
 bool has_form(const Surface& surface) {
   return std::holds_alternative<Form>(surface.patches().exact_form(0));
@@ -124,6 +128,7 @@ class Maker {
     limits_.distance = std::max(options.tolerance, options.share * size_);
     limits_.angle = options.angle;
     limits_.turn = std::max(turn_share * options.angle, least_turn);
+    if (has_form<ChartPatch>(surface)) limits_.bend = bend_share * options.angle;
   }
 
   double size() const { return size_; }

@@ -9,6 +9,7 @@
 #include "core/base/parallel.hpp"
 #include "core/cad/cad_measure.hpp"
 #include "core/cad/fit/curve_fit.hpp"
+#include "core/cad/fit/side_tie.hpp"
 #include "core/subdivision/subdivision_surface.hpp"
 #include "tests/cad/producers.hpp"
 
@@ -200,6 +201,48 @@ TEST(CadModel, AnglesAreMetAndCostKnots) {
     EXPECT_GE(measure.control_points, before);
     before = measure.control_points;
   }
+}
+
+/// At the quality "fine", on surfaces that are smooth beside their vertices, closed, bordered and creased.
+TEST(CadModel, FacesOfModeG2HaveCurvaturesInCommon) {
+  for (const char* name : {"cube", "torus", "fig2", "fig2_open", "grid3", "cube_crease"}) {
+    SCOPED_TRACE(name);
+    const auto produced = surfaces_of({name, Mode::g2});
+    ASSERT_EQ(produced.size(), 1U);
+    const auto model =
+        make_cad_model(produced[0].surface, {.tolerance = 1e-3, .share = 1e-5, .angle = 0.02 * degree});
+    ASSERT_TRUE(model.ok());
+    const CadMeasure measure = measure_cad(produced[0].surface, *model);
+    EXPECT_LE(measure.curvature_jump, 0.02);
+    EXPECT_LE(measure.normal_jump, 0.02 * degree);
+    EXPECT_LE(measure.largest, std::max(1e-3, 1e-5 * model->size));
+  }
+}
+
+/// The tie is linear in the control points and gives the face's own normal curvature across its side.
+TEST(CadModel, BendTiesReadTheCurvatureAcrossASide) {
+  const auto produced = surfaces_of({"torus", Mode::g2});
+  ASSERT_EQ(produced.size(), 1U);
+  const auto model = make_cad_model(produced[0].surface);
+  ASSERT_TRUE(model.ok());
+  const SplineSurface& face = model->faces[0].surface;
+  const SplineEvaluator spline(face);
+  for (int side = 0; side < 4; ++side)
+    for (const double f : {0.1, 0.45, 0.8}) {
+      const bool horizontal = side % 2 == 0;
+      const SplineSpace &along = horizontal ? face.s : face.t, &across = horizontal ? face.t : face.s;
+      const double x = along.begin() + f * (along.end() - along.begin()),
+                   y = side == 1 || side == 2 ? across.end() : across.begin();
+      const PatchPoint point = horizontal ? spline.at(x, y, Order::second) : spline.at(y, x, Order::second);
+      const Vector3 normal = unit_normal(point),
+                    left = normal.cross(horizontal ? point.ds : point.dt).normalized();
+      const Vector2 move = move_in(point, left);
+      const double curvature = normal_bend(point, left).across;
+      const SideTie tie =
+          bend_tie(face, side, x, normal, horizontal ? move.x() : move.y(), horizontal ? move.y() : move.x());
+      EXPECT_NEAR(tie.of(face), curvature, 1e-9 * std::max(1.0, std::abs(curvature)));
+      EXPECT_GT(std::abs(curvature), 1e-3);
+    }
 }
 
 TEST(CadModel, ExactFacesStayWhereTheyAreAskedFor) {

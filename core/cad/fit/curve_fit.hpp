@@ -3,6 +3,7 @@
 // Least-squares fits of curves by splines with few control points.
 
 #include <functional>
+#include <limits>
 #include <optional>
 
 #include "core/cad/fit/spline.hpp"
@@ -14,6 +15,9 @@ struct FitLimits {
   double distance = 0;  ///< length
   double angle = 0;     ///< radians, between faces along smooth edges
   double turn = 0;      ///< radians, between the normals of faces and those of the surface
+  /// Jump of the normal curvature across smooth edges, relative to the largest curvature there; infinite
+  /// where the surface's own curvature may jump.
+  double bend = std::numeric_limits<double>::infinity();
 };
 
 /// Weight of an error along a curve or surface relative to one across it.

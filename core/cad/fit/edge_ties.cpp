@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace hariko {
 
@@ -79,6 +80,8 @@ void EdgeTies::place(Index number) {
       at.width = gauss.weight[g] * width / edge.curve.space.end();
       if (!measure(edge, at)) continue;
       tie_turn(edge, at);
+      at.bend.weight = at.turn.weight;
+      at.bend.free = at.turn.free;
       if (const EdgePlace* old = nearest(before, at.x)) at.turn.wanted = old->turn.wanted;
       list.push_back(std::move(at));
     }
@@ -86,12 +89,13 @@ void EdgeTies::place(Index number) {
 
 PatchPoint EdgeTies::side_point(const CadUse& use, double x) const {
   const Vector2 at = (*task_.pieces)[use.piece].parameter(use.side, x);
-  return (*task_.points)[use.piece].at(at.x(), at.y());
+  return (*task_.points)[use.piece].at(at.x(), at.y(), bends() ? Order::second : Order::first);
 }
 
 /// Computes normal and speeds; false where there is no normal.
 bool EdgeTies::measure(const CadEdge& edge, EdgePlace& at) const {
   const SplinePoint curve = evaluate(edge.curve, at.x);
+  std::array<PatchPoint, 2> points;
   const Vector3 tangent = curve.derivative.stableNormalized();
   for (int u = 0; u < 2; ++u) {
     const CadUse& use = edge.uses[std::size_t(u)];
@@ -104,6 +108,7 @@ bool EdgeTies::measure(const CadEdge& edge, EdgePlace& at) const {
     if (!has_normal(near) || !has_normal(p)) return false;
     at.across[std::size_t(u)] = use.side % 2 == 0 ? p.dt : p.ds;
     at.normal += unit_normal(p);
+    points[std::size_t(u)] = p;
   }
   at.normal = (at.normal - at.normal.dot(tangent) * tangent).stableNormalized();
   at.left = at.normal.cross(tangent);
@@ -113,7 +118,41 @@ bool EdgeTies::measure(const CadEdge& edge, EdgePlace& at) const {
     if (!(sine > 1e-5)) return false;
     at.sine = std::min(at.sine, sine / 0.05);
   }
+  if (!bends()) return true;
+  double whole = 1 / task_.size, narrow = std::numeric_limits<double>::infinity();
+  for (int u = 0; u < 2; ++u) {
+    narrow = std::min(narrow, narrowest(edge, u, at.x, points[std::size_t(u)]));
+    const NormalBend bend = normal_bend(points[std::size_t(u)], at.left);
+    at.bend.wanted += bend.across / 2;
+    whole = std::max(whole, bend.largest);
+    tie_bend(edge, at, u, points[std::size_t(u)]);
+  }
+  // A deviation of `distance` over one span bends a face by this much: narrower knots would only increase it.
+  at.bend.limit = (limits_.bend * whole + limits_.distance / (narrow * narrow)) / (at.sine * at.sine);
   return true;
+}
+
+/// Length of the shorter side of the span of a face that a place lies beside.
+double EdgeTies::narrowest(const CadEdge& edge, int use, double x, const PatchPoint& point) const {
+  const CadUse& own = edge.uses[std::size_t(use)];
+  const SplineSurface& face = faces_.surface(own.piece);
+  const bool horizontal = own.side % 2 == 0;
+  const SplineSpace &along = horizontal ? face.s : face.t, &across = horizontal ? face.t : face.s;
+  const std::size_t beside = own.side == 1 || own.side == 2 ? across.span_count() - 1 : 0;
+  const double length = span_width(along, span(edge, use, x)), depth = span_width(across, beside);
+  return std::min((horizontal ? point.ds : point.dt).norm() * length,
+                  (horizontal ? point.dt : point.ds).norm() * depth);
+}
+
+/// Ties the second derivative across the edge in the direction perpendicular to it, as the derivatives of
+/// `face` at the place say.
+void EdgeTies::tie_bend(const CadEdge& edge, EdgePlace& at, int use, const PatchPoint& face) const {
+  const CadUse& own = edge.uses[std::size_t(use)];
+  const Vector2 move = move_in(face, at.left);
+  const bool horizontal = own.side % 2 == 0;
+  at.bend.tie[std::size_t(use)] =
+      bend_tie(faces_.surface(own.piece), own.side, growing(edge, use, at.x), at.normal,
+               horizontal ? move.x() : move.y(), horizontal ? move.y() : move.x());
 }
 
 void EdgeTies::tie_turn(const CadEdge& edge, EdgePlace& at) const {
@@ -133,7 +172,17 @@ void EdgeTies::retie(Index number) {
     for (std::size_t u = 0; u < 2; ++u) {
       const double has = at.speed[u] * at.turn.tie[u].sum(faces_.surface(edge.uses[u].piece)).dot(at.left);
       // A face that is far off for lack of knots tells little about its speed.
-      at.speed[u] *= std::clamp(has / at.speed[u], 0.3, 3.0);
+      const double ratio = has / at.speed[u];
+      at.speed[u] *= std::clamp(ratio, 0.3, 3.0);
+      if (!bends()) continue;
+      const CadUse& use = edge.uses[u];
+      const Vector2 place = (*task_.pieces)[use.piece].parameter(use.side, on_side(edge, int(u), at.x));
+      const PatchPoint face = SplineEvaluator(faces_.surface(use.piece)).at(place.x(), place.y());
+      // The same holds for its lean against the edge.
+      const Vector3 over = use.side % 2 == 0 ? face.dt : face.ds;
+      const double sine = std::abs(over.dot(at.left)) / over.norm();
+      if (has_normal(face) && ratio > 0.3 && ratio < 3 && sine > 0.05 * at.sine / 2)
+        tie_bend(edge, at, int(u), face);
     }
     tie_turn(edge, at);
   }
@@ -151,12 +200,22 @@ void EdgeTies::compare(Index number) {
       angle[u] = at.turn.has[u] / std::clamp(across.dot(at.left), 0.5, 2.0);
     }
     at.jump = std::abs(angle[0] - angle[1]);
+    if (!bends()) continue;
+    for (std::size_t u = 0; u < 2; ++u)
+      at.bend.has[u] = at.bend.tie[u].of(faces_.surface(edge.uses[u].piece));
+    at.bend_jump = std::abs(at.bend.has[0] - at.bend.has[1]) / at.bend.limit;
   }
 }
 
 double EdgeTies::worst(Index edge) const {
   double out = 0;
   for (const EdgePlace& at : places_[edge]) out = std::max(out, miss(at));
+  return out;
+}
+
+double EdgeTies::worst_bend(Index edge) const {
+  double out = 0;
+  for (const EdgePlace& at : places_[edge]) out = std::max(out, bend_miss(at));
   return out;
 }
 
@@ -171,6 +230,13 @@ void EdgeTies::for_places(Index face, const Visit& visit) const {
     }
 }
 
+void EdgeTies::agreed(Index edge, std::vector<Agreed*>& out) {
+  for (EdgePlace& at : places_[edge]) {
+    out.push_back(&at.turn);
+    if (bends()) out.push_back(&at.bend);
+  }
+}
+
 std::vector<FaceTie> EdgeTies::ties(Index face) const {
   std::vector<FaceTie> out;
   for_places(face, [&](const EdgePlace& at, std::size_t u) {
@@ -178,13 +244,20 @@ std::vector<FaceTie> EdgeTies::ties(Index face) const {
     out.push_back({turn.tie[u], tie_share * tie_share * turn.weight[u] / (turn.limit * turn.limit),
                    (at.across[u] - at.across[u].dot(at.normal) * at.normal) / at.speed[u],
                    slope_share * slope_share, turn.wanted});
+    if (!bends()) return;
+    const Agreed& bend = at.bend;
+    out.push_back({bend.tie[u], tie_share * tie_share * bend.weight[u] / (bend.limit * bend.limit),
+                   Vector3::Zero(), 0, bend.wanted});
   });
   return out;
 }
 
 std::vector<double> EdgeTies::wanted(Index face) const {
   std::vector<double> out;
-  for_places(face, [&](const EdgePlace& at, std::size_t) { out.push_back(at.turn.wanted); });
+  for_places(face, [&](const EdgePlace& at, std::size_t) {
+    out.push_back(at.turn.wanted);
+    if (bends()) out.push_back(at.bend.wanted);
+  });
   return out;
 }
 

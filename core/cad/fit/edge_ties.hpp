@@ -3,6 +3,7 @@
 // Ties between the faces of smooth edges: common tangent planes, compared and corrected at places along each
 // edge.
 
+#include <cmath>
 #include <functional>
 
 #include "core/cad/cad_edges.hpp"
@@ -45,6 +46,9 @@ struct EdgePlace {
   Vector3 left = Vector3::Zero();  ///< unit, in the tangent plane and perpendicular to the curve
   Agreed turn;                     ///< rotation of the faces against the plane, radians
   double jump = 0;                 ///< angle between both faces, radians (not linear)
+
+  Agreed bend;  ///< normal curvature across the edge, 1 / length; without ties where the surface's may jump
+  double bend_jump = 0;  ///< between both faces, in multiples of the limit
 };
 
 /// Access to the faces being fitted.
@@ -74,8 +78,14 @@ class EdgeTies {
   void compare(Index edge);
   /// Angle between both faces at a place, in multiples of the limit.
   double miss(const EdgePlace& at) const { return at.sine * at.jump / limits_.angle; }
+  /// Jump of the curvature across the edge at a place, in multiples of the limit.
+  double bend_miss(const EdgePlace& at) const { return at.bend_jump; }
   /// Largest `miss` along an edge.
   double worst(Index edge) const;
+  /// Largest `bend_miss` along an edge.
+  double worst_bend(Index edge) const;
+  /// Quantities that the faces of an edge are to have in common.
+  void agreed(Index edge, std::vector<Agreed*>& out);
   /// Places along an edge; none where it ties no faces.
   std::vector<EdgePlace>& places(Index edge) { return places_[edge]; }
   const std::vector<EdgePlace>& places(Index edge) const { return places_[edge]; }
@@ -99,6 +109,9 @@ class EdgeTies {
   PatchPoint side_point(const CadUse& use, double x) const;
   bool measure(const CadEdge& edge, EdgePlace& at) const;
   void tie_turn(const CadEdge& edge, EdgePlace& at) const;
+  double narrowest(const CadEdge& edge, int use, double x, const PatchPoint& point) const;
+  bool bends() const { return std::isfinite(limits_.bend); }
+  void tie_bend(const CadEdge& edge, EdgePlace& at, int use, const PatchPoint& face) const;
 
   const EdgeTask& task_;
   const CadEdges& edges_;

@@ -14,9 +14,11 @@ namespace {
 
 /// Fraction of the distance limit below which offsets along the surface are not reprojected.
 constexpr double slide_share = 0.05;
-/// Number of rows of control points beside a side, without the boundary, that the derivative across it
-/// depends on.
-constexpr std::size_t tied_rows = 1;
+/// Number of rows of control points beside a side, without the boundary, that ties depend on: those of the
+/// first derivative across it, or of the second.
+std::size_t tied_rows(const FitLimits& limits) {
+  return std::isfinite(limits.bend) ? 2 : 1;
+}
 
 /// Orthonormal frame: along ds, across it in the tangent plane, normal.
 Matrix3 frame(const PatchPoint& point) {
@@ -96,7 +98,7 @@ FaceFit::FaceFit(const PieceEvaluator& model, SplineSpace s, SplineSpace t, Face
       outer_(surface_),
       samples_(model, FitPlaces(surface_.s), FitPlaces(surface_.t), before ? &before->samples_ : nullptr),
       under_(samples_.points),
-      inner_(samples_.s, samples_.t, 1 / (limits.distance * limits.distance), tied_rows) {
+      inner_(samples_.s, samples_.t, 1 / (limits.distance * limits.distance), tied_rows(limits)) {
   for (const PatchPoint& point : fitted()) outer_part_.push_back(point.position);
   const BoundaryMiss miss(surface_, samples_.s.at, samples_.t.at, model_);
   for (std::size_t j = 0; j < samples_.t.size(); ++j)

@@ -14,6 +14,15 @@ namespace hariko {
 /// decides.
 bool has_normal(const PatchPoint& point);
 
+/// Change of (s, t) that moves a point along a vector of its tangent plane.
+Vector2 move_in(const PatchPoint& point, const Vector3& direction);
+
+/// Normal curvature in one direction of the tangent plane, and the largest absolute one of all directions.
+struct NormalBend {
+  double across = 0, largest = 0;
+};
+NormalBend normal_bend(const PatchPoint& point, const Vector3& direction);
+
 /// Factor of a control point in a linear combination.
 struct PointShare {
   std::size_t i = 0, j = 0;
@@ -36,5 +45,12 @@ struct SideTie {
 /// perpendicular to the boundary, its value is the angle (radians, for small angles) by which the face is
 /// rotated about the boundary against the plane.
 SideTie turn_tie(const SplineSurface& surface, int side, double at, const Vector3& normal, double speed);
+
+/// Tie of the second derivative at parameter `at` along side `side` in the direction in which s or t, growing
+/// along the side, changes by `along`, and the parameter across it by `over`. Where that direction is a unit
+/// vector perpendicular to the boundary and `normal` is the face's, its value is the normal curvature across
+/// the boundary.
+SideTie bend_tie(const SplineSurface& surface, int side, double at, const Vector3& normal, double along,
+                 double over);
 
 }  // namespace hariko
