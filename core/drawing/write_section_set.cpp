@@ -3,6 +3,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "core/base/text/dxf_writer.hpp"
 #include "core/exchange/number_text.hpp"
 
 namespace hariko {
@@ -112,85 +113,60 @@ class SectionSvg {
 class SectionDxf {
  public:
   std::string write(const std::vector<FlatLine>& lines, int planes) {
-    pair(0, "SECTION");
-    pair(2, "HEADER");
-    pair(9, "$ACADVER");
-    pair(1, "AC1009");
-    pair(9, "$INSUNITS");
-    pair(70, "4");  // millimetres
-    pair(9, "$MEASUREMENT");
-    pair(70, "1");
-    pair(0, "ENDSEC");
+    out_.begin_header();
+    out_.end_section();
     tables(planes);
-    pair(0, "SECTION");
-    pair(2, "ENTITIES");
+    out_.begin("SECTION", "ENTITIES");
     for (const FlatLine& line : lines) line.points.size() == 2 ? segment(line) : polyline(line);
-    pair(0, "ENDSEC");
-    pair(0, "EOF");
-    return std::move(out_);
+    out_.end_section();
+    return out_.take();
   }
 
  private:
   static std::string layer(int plane, bool comb) {
     return (comb ? "COMB_" : "SECTION_") + std::to_string(plane + 1);
   }
-  void pair(int code, std::string_view value) {
-    out_ += std::to_string(code);
-    out_ += '\n';
-    out_ += value;
-    out_ += '\n';
-  }
-  void point(int code, const Vector3& p) {
-    for (int k = 0; k < 3; ++k) {
-      char text[400];  // every double has its place in fixed notation
-      const auto end = std::to_chars(text, text + sizeof text, p[k] + 0.0, std::chars_format::fixed, 9).ptr;
-      pair(code + 10 * k, std::string_view(text, static_cast<std::size_t>(end - text)));
-    }
-  }
 
   void tables(int planes) {
-    pair(0, "SECTION");
-    pair(2, "TABLES");
-    pair(0, "TABLE");
-    pair(2, "LAYER");
-    pair(70, std::to_string(2 * planes));
+    out_.begin("SECTION", "TABLES");
+    out_.begin("TABLE", "LAYER");
+    out_.pair(70, std::to_string(2 * planes));
     for (int plane = 0; plane < planes; ++plane)
       for (const bool comb : {false, true}) {
-        pair(0, "LAYER");
-        pair(2, layer(plane, comb));
-        pair(70, "0");
-        pair(62, comb ? "6" : "1");
-        pair(6, "CONTINUOUS");
+        out_.begin("LAYER", layer(plane, comb));
+        out_.pair(70, "0");
+        out_.pair(62, comb ? "6" : "1");
+        out_.pair(6, "CONTINUOUS");
       }
-    pair(0, "ENDTAB");
-    pair(0, "ENDSEC");
+    out_.end_table();
+    out_.end_section();
   }
 
   void segment(const FlatLine& line) {
-    pair(0, "LINE");
-    pair(8, layer(line.plane, line.comb));
-    point(10, line.points[0]);
-    point(11, line.points[1]);
+    out_.pair(0, "LINE");
+    out_.pair(8, layer(line.plane, line.comb));
+    out_.point(10, line.points[0]);
+    out_.point(11, line.points[1]);
   }
 
   void polyline(const FlatLine& line) {
     constexpr int closed = 1, in_space = 8, vertex_in_space = 32;
-    pair(0, "POLYLINE");
-    pair(8, layer(line.plane, line.comb));
-    pair(66, "1");  // vertices follow
-    point(10, Vector3::Zero());
-    pair(70, std::to_string(in_space + (line.closed ? closed : 0)));
+    out_.pair(0, "POLYLINE");
+    out_.pair(8, layer(line.plane, line.comb));
+    out_.pair(66, "1");  // vertices follow
+    out_.point(10, Vector3::Zero());
+    out_.pair(70, std::to_string(in_space + (line.closed ? closed : 0)));
     for (const Vector3& p : line.points) {
-      pair(0, "VERTEX");
-      pair(8, layer(line.plane, line.comb));
-      point(10, p);
-      pair(70, std::to_string(vertex_in_space));
+      out_.pair(0, "VERTEX");
+      out_.pair(8, layer(line.plane, line.comb));
+      out_.point(10, p);
+      out_.pair(70, std::to_string(vertex_in_space));
     }
-    pair(0, "SEQEND");
-    pair(8, layer(line.plane, line.comb));
+    out_.pair(0, "SEQEND");
+    out_.pair(8, layer(line.plane, line.comb));
   }
 
-  std::string out_;
+  DxfWriter out_;
 };
 
 }  // namespace

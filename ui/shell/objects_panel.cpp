@@ -95,22 +95,13 @@ void start_renaming(PanelContext& context, const Object& object) {
   state.focus_name = true;
 }
 
-/// The name as a text field.
-void name_field(PanelContext& context, const Object& object, float width) {
+void object_name_field(PanelContext& context, const Object& object, float width) {
   Editor& editor = context.editor;
   OutlinerState& state = context.state.outliner;
-  ImGui::SetNextItemWidth(width);
-  if (state.focus_name) focus_next_field();
-  ImGui::InputText("##name", &state.name, ImGuiInputTextFlags_AutoSelectAll);
-  context.marks.item("outliner.name");
-  if (ImGui::IsItemDeactivated()) {
-    state.renaming = {};
-    if (state.name != object.name)
-      editor.commit(rename_object(editor.history.current(), object.id, state.name), "Rename object");
-  }
-  // The keyboard comes a frame or two after it was asked for.
-  if (ImGui::IsItemActive()) state.focus_name = false;
-  if (state.focus_name) context.state.field_opening = true;
+  if (!row_name_field(context, width)) return;
+  state.renaming = {};
+  if (state.name != object.name)
+    editor.commit(rename_object(editor.history.current(), object.id, state.name), "Rename object");
 }
 
 /// A small button at the right end of a row: shown when it says something, or under the pointer.
@@ -237,7 +228,7 @@ void object_row(PanelContext& context, const Document& document, const OutlinerR
   const bool mirrored = object.polyhedron() && object.polyhedron()->mirror;
   const float name_end = right - m.px(mirrored ? 106.0F : 84.0F);
   if (renaming) {
-    name_field(context, object, name_end - ImGui::GetCursorPosX());
+    object_name_field(context, object, name_end - ImGui::GetCursorPosX());
   } else {
     ImGui::TextUnformatted(elided(object.name, name_end - ImGui::GetCursorPosX()).c_str());
   }

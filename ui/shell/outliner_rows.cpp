@@ -107,18 +107,11 @@ void group_menu(PanelContext& context, const Group& group) {
 
 void group_name_field(PanelContext& context, const Group& group, float width) {
   OutlinerState& state = context.state.outliner;
-  ImGui::SetNextItemWidth(width);
-  if (state.focus_name) focus_next_field();
-  ImGui::InputText("##name", &state.name, ImGuiInputTextFlags_AutoSelectAll);
-  context.marks.item("outliner.name");
-  if (ImGui::IsItemDeactivated()) {
-    state.renaming_group = {};
-    if (state.name != group.name)
-      context.editor.commit(rename_group(context.editor.history.current(), group.id, state.name),
-                            "Rename group");
-  }
-  if (ImGui::IsItemActive()) state.focus_name = false;
-  if (state.focus_name) context.state.field_opening = true;
+  if (!row_name_field(context, width)) return;
+  state.renaming_group = {};
+  if (state.name != group.name)
+    context.editor.commit(rename_group(context.editor.history.current(), group.id, state.name),
+                          "Rename group");
 }
 
 /// Lock and eye at the right end of the row.
@@ -143,6 +136,19 @@ void group_switches(PanelContext& context, const Group& group, bool hovered, flo
 }
 
 }  // namespace
+
+bool row_name_field(PanelContext& context, float width) {
+  OutlinerState& state = context.state.outliner;
+  ImGui::SetNextItemWidth(width);
+  if (state.focus_name) focus_next_field();
+  ImGui::InputText("##name", &state.name, ImGuiInputTextFlags_AutoSelectAll);
+  context.marks.item("outliner.name");
+  const bool ended = ImGui::IsItemDeactivated();
+  // The keyboard comes a frame or two after it was asked for.
+  if (ImGui::IsItemActive()) state.focus_name = false;
+  if (state.focus_name) context.state.field_opening = true;
+  return ended;
+}
 
 const OutlinerTree& outliner_tree(const Document& document, OutlinerState& state) {
   OutlinerTree& known = state.tree;

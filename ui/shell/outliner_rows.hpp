@@ -35,6 +35,8 @@ void drag_row(PanelContext& context, const Document& document, const Member& mem
 /// The place below all rows, where what is dropped leaves its group. Shows while rows are dragged.
 void drop_below_rows(PanelContext& context, const Document& document);
 
+/// Field for the name in `OutlinerState`; true in the frame in which it ends.
+bool row_name_field(PanelContext& context, float width);
 void draw_group_row(PanelContext& context, const Document& document, const OutlinerRow& row);
 /// Makes the name of a group a field.
 void rename_in_row(OutlinerState& state, const Group& group);
