@@ -16,8 +16,9 @@ namespace {
 /// Fraction of the distance limit that a fit keeps to: between the sampled places the error is up to a fifth
 /// larger.
 constexpr double fit_share = 0.78;
-/// Fraction of the limit of the angle between faces that a fit keeps to, for the same reason.
-constexpr double angle_share = 0.7;
+/// Fraction of the limit of the angle between faces that a fit keeps to: between its places the angle is up
+/// to a tenth larger.
+constexpr double angle_share = 0.8;
 /// The same of the limit of the jump of curvature.
 constexpr double bend_fit_share = 0.6;
 /// Largest number of rounds of knot insertion.
