@@ -20,8 +20,9 @@ inline const G2PatchSet& g2_set(const PolyhedronSurface& surface) {
   return dynamic_cast<const G2PatchSet&>(surface.surface.patches());
 }
 
-/// What rounding of a point's derivatives may do: they are sums of terms as large as the largest derivatives
-/// along its seam, which cancel where the point's own are small. It matters where the surface all but folds.
+/// Error bounds for rounding of a point's derivatives, which are sums of terms as large as the largest
+/// derivatives along its seam; these cancel where the point's own are small. They matter where the surface
+/// all but folds.
 struct Rounding {
   double normal = 0, curvature = 0;  ///< radians; 1 / length
 

@@ -14,6 +14,10 @@ constexpr double tie_share = 4;
 /// Weight of the length and the lean of the derivative across a side, relative to the angle.
 constexpr double slope_share = 0.05;
 
+/// Sine of the angle between an edge and the derivative across it below which a place counts less: sides of
+/// the corner run on almost straight there.
+constexpr double straight_sine = 0.05;
+
 /// Place nearest to x.
 const EdgePlace* nearest(const std::vector<EdgePlace>& places, double x) {
   if (places.empty()) return nullptr;
@@ -116,7 +120,7 @@ bool EdgeTies::measure(const CadEdge& edge, EdgePlace& at) const {
     at.speed[u] = at.across[u].dot(at.left);
     const double sine = std::abs(at.speed[u]) / at.across[u].norm();
     if (!(sine > 1e-5)) return false;
-    at.sine = std::min(at.sine, sine / 0.05);
+    at.sine = std::min(at.sine, sine / straight_sine);
   }
   if (!bends()) return true;
   double whole = 1 / task_.size, narrow = std::numeric_limits<double>::infinity();
@@ -178,10 +182,10 @@ void EdgeTies::retie(Index number) {
       const CadUse& use = edge.uses[u];
       const Vector2 place = (*task_.pieces)[use.piece].parameter(use.side, on_side(edge, int(u), at.x));
       const PatchPoint face = SplineEvaluator(faces_.surface(use.piece)).at(place.x(), place.y());
-      // The same holds for its lean against the edge.
+      // The same holds for its lean against the edge, which has to stay near the surface's.
       const Vector3 over = use.side % 2 == 0 ? face.dt : face.ds;
       const double sine = std::abs(over.dot(at.left)) / over.norm();
-      if (has_normal(face) && ratio > 0.3 && ratio < 3 && sine > 0.05 * at.sine / 2)
+      if (has_normal(face) && ratio > 0.3 && ratio < 3 && sine > 0.5 * straight_sine * at.sine)
         tie_bend(edge, at, int(u), face);
     }
     tie_turn(edge, at);
