@@ -206,5 +206,44 @@ TEST_F(Focus, F6AndTabGoThroughEveryPanel) {
   EXPECT_EQ(seen, (std::set<std::string>{"Objects", "Properties", "History", "Tools"}));
 }
 
+TEST_F(Focus, TabBeginsWithTheFirstItemWhereItsOwnIsGone) {
+  bench_.workbench().commands().run("select.all");
+  frames();
+  for (int i = 0; i < 6 && std::string(GImGui->NavWindow->RootWindow->Name) != "Properties"; ++i) {
+    bench_.tap("F6");
+    frames();
+  }
+  ASSERT_STREQ(GImGui->NavWindow->RootWindow->Name, "Properties");
+  // Some rows belong to the selection alone, some stay.
+  int gone = 0;
+  for (int i = 1; i <= 12; ++i) {
+    ASSERT_TRUE(bench_.workbench().commands().run("select.all").ran);
+    frames();
+    go("Tab", 1, "Properties");
+    if (GImGui->ActiveId != 0) bench_.tap("Enter");
+    ASSERT_TRUE(bench_.workbench().commands().run("select.none").ran);
+    frames();
+    if (GImGui->NavIdIsAlive) continue;
+    ++gone;
+    go("Tab", 1, "Properties");
+    EXPECT_TRUE(GImGui->NavIdIsAlive) << "Tab number " << i << " went nowhere";
+  }
+  EXPECT_GT(gone, 0);
+}
+
+TEST_F(Focus, APanelThatClosesGivesTheKeyboardBack) {
+  bench_.tap("Ctrl+Alt+T");
+  frames();
+  for (int i = 0; i < 6 && std::string(GImGui->NavWindow->RootWindow->Name) != "Meshing"; ++i) {
+    bench_.tap("F6");
+    frames();
+  }
+  ASSERT_STREQ(GImGui->NavWindow->RootWindow->Name, "Meshing");
+  bench_.tap("Ctrl+Alt+T");
+  frames();
+  EXPECT_FALSE(ImGui::GetIO().ConfigFlags & ImGuiConfigFlags_NavEnableKeyboard);
+  EXPECT_FALSE(can_be_seen());
+}
+
 }  // namespace
 }  // namespace hariko

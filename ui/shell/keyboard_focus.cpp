@@ -23,9 +23,11 @@ void activate_item() {
   g.NavActivateFlags = ImGuiActivateFlags_PreferInput;
 }
 
-/// Enter takes the keyboard out of a field; Tab then goes on from there, and does not begin anew.
-/// `everywhere`: it goes to buttons and lists, too, as it does by itself in newer versions of Dear ImGui.
-void tab_goes_on(bool everywhere) {
+/// Tab goes on from the item that the keyboard is on, also after Enter took it out of a field, and begins
+/// with the first one where there is none. Left alone, versions of Dear ImGui differ: some begin anew after a
+/// field, some go nowhere in a panel that has just been chosen. `everywhere`: it goes to buttons and lists,
+/// too, as it does by itself in newer versions.
+void tab_goes_on(bool from_item, bool everywhere) {
 #if IMGUI_VERSION_NUM < 18900
   constexpr int tabbing = ImGuiNavMoveFlags_Tabbing;
 #else
@@ -33,7 +35,7 @@ void tab_goes_on(bool everywhere) {
 #endif
   ImGuiContext& g = *GImGui;
   if (!g.NavMoveSubmitted || (g.NavMoveFlags & tabbing) == 0) return;
-  if (g.NavTabbingDir == 0 && g.NavId != 0) g.NavTabbingDir = 1;
+  if (g.NavTabbingDir >= 0) g.NavTabbingDir = from_item ? 1 : 0;
 #if IMGUI_VERSION_NUM < 18900
   if (everywhere) g.NavMoveFlags |= ImGuiNavMoveFlags_FocusApi;
 #else
@@ -54,13 +56,15 @@ void close_popups(bool restore_focus) {
 void KeyboardFocus::begin_frame(bool preferences) {
   if (activates_) activate_item();
   activates_ = false;
-  tab_goes_on(navigates(preferences));
+  tab_goes_on(GImGui->NavId != 0 && item_drawn_, navigates(preferences));
 }
 
 void KeyboardFocus::end_frame(bool preferences) {
   // Flags of the next frame: arrows and Enter belong to the items only where the keyboard was given to them.
   ImGuiIO& io = ImGui::GetIO();
-  if (ImGui::IsMouseClicked(0)) leave_panel();
+  item_drawn_ = GImGui->NavIdIsAlive;
+  const ImGuiWindow* window = panel_.empty() ? nullptr : ImGui::FindWindowByName(panel_.c_str());
+  if (ImGui::IsMouseClicked(0) || (window && !window->Active)) leave_panel();
   if (navigates(preferences))
     io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
   else

@@ -28,8 +28,9 @@ class KeyboardFocus {
   bool item_key(const KeyChord& chord);
 
  private:
-  bool activates_ = false;  ///< Enter was pressed on the item that the keyboard is on
-  std::string panel_;       ///< name of the window that has the keyboard; empty for the views
+  bool activates_ = false;   ///< Enter was pressed on the item that the keyboard is on
+  bool item_drawn_ = false;  ///< the item that the keyboard is on was there in the last frame
+  std::string panel_;        ///< name of the window that has the keyboard; empty for the views
 };
 
 /// A field takes text, after the last frame. (io.WantTextInput is as old as the frame before that: a key that

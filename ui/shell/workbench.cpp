@@ -181,11 +181,11 @@ void Workbench::frame() {
   palette_.draw(context, menu);
   cheat_sheet_.draw(context, menu);
   draw_cursor_note(context);
-  keyboard_.end_frame(preferences_.is_open());
   // Shade at once: nothing is drawn again while nothing happens, so it cannot fade in.
   GImGui->DimBgRatio = 1;
   files_.draw(context);
   prompt_.draw(context);
+  keyboard_.end_frame(preferences_.is_open());
   if (watch_.after_frame) watch_.after_frame();
 }
 
