@@ -219,6 +219,17 @@ TEST(CadModel, FacesOfModeG2HaveCurvaturesInCommon) {
   }
 }
 
+/// Pointed rims of high tension all but fold beside their vertices.
+TEST(CadModel, TiesOfCurvatureCostLittleWhereFacesAllButFold) {
+  const auto produced = surfaces_of({"fig5d", Mode::g2});
+  const auto model = make_cad_model(produced[0].surface, {.tolerance = 0.05, .share = 0, .angle = degree});
+  ASSERT_TRUE(model.ok());
+  EXPECT_LE(measure_cad(produced[0].surface, *model).largest, 0.05);
+  std::size_t points = 0;
+  for (const CadFace& face : model->faces) points += face.surface.points.size();
+  EXPECT_LE(points, 12000U);
+}
+
 /// The tie is linear in the control points and gives the face's own normal curvature across its side.
 TEST(CadModel, BendTiesReadTheCurvatureAcrossASide) {
   const auto produced = surfaces_of({"torus", Mode::g2});

@@ -86,7 +86,13 @@ void EdgeTies::place(Index number) {
       tie_turn(edge, at);
       at.bend.weight = at.turn.weight;
       at.bend.free = at.turn.free;
-      if (const EdgePlace* old = nearest(before, at.x)) at.turn.wanted = old->turn.wanted;
+      if (const EdgePlace* old = nearest(before, at.x)) {
+        at.turn.wanted = old->turn.wanted;
+        // Curvatures are compared as far as the planes agree: where a face all but folds, ties of curvature
+        // would draw it farther from the surface.
+        const double off = std::max(1.0, miss(*old));
+        at.bend.limit *= off * off;
+      }
       list.push_back(std::move(at));
     }
 }
