@@ -13,9 +13,9 @@ namespace hariko {
 
 namespace {
 
-/// Fraction of the distance limit that a fit keeps to: between the sampled places the error is up to a fifth
+/// Fraction of the distance limit that a fit keeps to: between the sampled places the error is up to a third
 /// larger.
-constexpr double fit_share = 0.78;
+constexpr double fit_share = 0.75;
 /// Fraction of the limit of the angle between faces that a fit keeps to: between its places the angle is up
 /// to a tenth larger.
 constexpr double angle_share = 0.8;

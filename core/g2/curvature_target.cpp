@@ -111,7 +111,7 @@ Eigen::MatrixXd fitted_second_derivatives(const ChartSamples& samples, const Fac
   Eigen::Index at = 0;
   for_points(samples, [&](std::size_t side, std::size_t i, const ChartPoint& point) {
     const double weight = std::sqrt(point.weight);
-    const FormBasis f = form_basis(point.point, samples.chart().radius());
+    const FormBasis f = form_basis(point.opened, samples.chart().radius());
     for (int k = 0; k < form_terms; ++k) rows(at, k) = weight * f.v[std::size_t(k)];
     const auto second = second_derivatives(reference[side][i], own[side][i], smooth[side][i]);
     for (int c = 0; c < 3; ++c)
@@ -211,7 +211,7 @@ void smooth_forms(const ChartSamples& samples, double width, FramedFace& face) {
   Eigen::Index at = 0;
   for_points(samples, [&](std::size_t side, std::size_t i, const ChartPoint& point) {
     const FramedPoint& p = face[side][i];
-    const FormBasis f = form_basis(point.point, chart.radius());
+    const FormBasis f = form_basis(point.opened, chart.radius());
     const double weight = std::sqrt(point.weight * p.area), bent = length * weight;
     const SymmetricMatrix2 m = p.inverse_root();
     for (int k = 0; k < form_terms; ++k) {
@@ -228,7 +228,7 @@ void smooth_forms(const ChartSamples& samples, double width, FramedFace& face) {
   });
   const Eigen::MatrixXd solved = fitted(rows, 3);
   for_points(samples, [&](std::size_t side, std::size_t i, const ChartPoint& point) {
-    const FormBasis f = form_basis(point.point, chart.radius());
+    const FormBasis f = form_basis(point.opened, chart.radius());
     for (int i3 = 0; i3 < 3; ++i3) {
       double sum = 0;
       for (int k = 0; k < form_terms; ++k) sum += f.v[std::size_t(k)] * solved(k, i3);
@@ -268,7 +268,7 @@ std::vector<Vector3> third_load(const ChartSamples& samples, const FaceReference
   const Eigen::Matrix4d square = third * measure.thinness() * measure.weight * (change.transpose() * change);
   for_functions(samples, [&](std::size_t side, std::size_t i, const ChartPoint& point,
                              std::span<const Jet3> basis, std::span<const int> active) {
-    const auto target = third_derivatives(fit, form_basis(point.point, samples.chart().radius()),
+    const auto target = third_derivatives(fit, form_basis(point.opened, samples.chart().radius()),
                                           christoffel(reference[side][i], own[side][i]), smooth[side][i]);
     Eigen::Matrix<double, 4, 3> rows;
     for (int c = 0; c < 4; ++c)

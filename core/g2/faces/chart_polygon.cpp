@@ -159,4 +159,12 @@ std::vector<Vector2> chart_polygon(std::span<const Vector2> face, std::span<cons
   return polygon(low);
 }
 
+double linear_angle(const CornerShape& corner, const Vector2& at, const Vector2& next,
+                    const Vector2& previous) {
+  if (is_straight(corner.angle) || corner.centre_distance == 0) return corner.angle;
+  const Vector2 forward = next - at, back = previous - at;
+  const double own = std::atan2(cross(forward, back), forward.dot(back));
+  return corner.angle + straightness(corner) * (own - corner.angle);
+}
+
 }  // namespace hariko

@@ -21,4 +21,11 @@ std::vector<Vector2> regular_chart_polygon(int sides);
 /// where all corners turn, else O(sides^3).
 std::vector<Vector2> chart_polygon(std::span<const Vector2> face, std::span<const CornerShape> corners);
 
+/// Angle of the linear map of a corner of a chart, in (0, pi): the vertex's own, or, by measure and where the
+/// corner hardly turns in its vertex, that of the polygon. From there the map turns about the corner, every
+/// direction in proportion to its angle: where one of two angles is nearly a half turn, a linear map between
+/// them would press the face to a fraction of its width.
+double linear_angle(const CornerShape& corner, const Vector2& at, const Vector2& next,
+                    const Vector2& previous);
+
 }  // namespace hariko

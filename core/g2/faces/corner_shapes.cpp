@@ -32,7 +32,10 @@ std::pair<double, double> depths(const CornerShape& at, const Vector2& corner, c
   const Vector2 forward = next - corner, back = previous - corner;
   const double twice = cross(forward, back), out = 2 * cross(corner, next), in = 2 * cross(previous, corner);
   const auto [over_out, over_in] = heights(at);
-  if (!is_straight(at.angle)) return {over_out * out / twice, over_in * in / twice};
+  if (!is_straight(at.angle)) {
+    const double angle = linear_angle(at, corner, next, previous), over = std::sin(angle) * at.angle / angle;
+    return {at.in * over * out / twice, at.out * over * in / twice};
+  }
   if (!lies_straight(previous, corner, next)) return {over_out, over_in};
   return {at.out * out / forward.squaredNorm(), at.in * in / back.squaredNorm()};
 }

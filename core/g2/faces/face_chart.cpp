@@ -5,6 +5,8 @@
 #include <numbers>
 
 #include "core/base/assert.hpp"
+#include "core/g2/faces/chart_polygon.hpp"
+#include "core/g2/faces/ribbon_functions.hpp"
 
 namespace hariko {
 
@@ -20,69 +22,22 @@ constexpr double cut_off = 1e-13;
 constexpr double least_reach = 0.03;
 /// Reach of a ribbon, in apothems, per slenderness: in a quad, it is as long as the side.
 constexpr double longest_reach = 2;
-/// Largest slant of a ribbon, in lengths of its side.
-constexpr double bound = 0.5;
+/// Largest unit of distance from a side in the weights, in sides of the regular polygon.
+constexpr double longest_unit = 2.5;
 /// Sine of a straight corner of a polygon, at most.
 constexpr double straight_sine = 1e-9;
 
+/// Radians: a corner's map is linear below.
+constexpr double least_rotation = 1e-9;
+
+/// Radius within which a chart is opened at a corner, in the shorter edge of the corner.
+constexpr double opened_reach = 1;
+
+/// Number of sides of a regular polygon whose corners' turn, halved, is the largest that opens distances.
+constexpr int most_turning = 6;
+
 int centre_degree(int n) {
   return n <= 6 ? 4 : std::max(4, std::min(8, (n + 1) / 2));
-}
-
-/// Quintic Hermite functions for (value, first, second) at 0, then at 1, and t^3 (1 - t)^3.
-void quintic(double t, Derivatives (&out)[7]) {
-  const double a = 1 - t, t2 = t * t, t3 = t2 * t, a2 = a * a, a3 = a2 * a;
-  out[0] = {a3 * (1 + 3 * t + 6 * t2), -30 * t2 * a2, -60 * t * a * (1 - 2 * t), -60 * (1 - 6 * t * a)};
-  out[1] = {t * a3 * (1 + 3 * t), a2 * (1 - 3 * t) * (1 + 5 * t), t * a * (-36 + 60 * t),
-            -36 + 192 * t - 180 * t2};
-  out[2] = {0.5 * t2 * a3, 0.5 * t * a2 * (2 - 5 * t), 0.5 * a * (2 - 16 * t + 20 * t2),
-            -9 + 36 * t - 30 * t2};
-  out[3] = {t3 * (1 + 3 * a + 6 * a2), 30 * t2 * a2, 60 * t * a * (1 - 2 * t), 60 * (1 - 6 * t * a)};
-  // Derivative at 1 in the direction of increasing t.
-  out[4] = {-a * t3 * (1 + 3 * a), t2 * (1 - 3 * a) * (1 + 5 * a), -a * t * (-36 + 60 * a),
-            -36 + 192 * a - 180 * a2};
-  out[5] = {0.5 * a2 * t3, -0.5 * a * t2 * (2 - 5 * a), 0.5 * t * (2 - 16 * a + 20 * a2),
-            9 - 36 * a + 30 * a2};
-  out[6] = {t3 * a3, 3 * t2 * a2 * (1 - 2 * t), 6 * t * a * (1 - 5 * t * a),
-            6 * (1 - 2 * t) * (1 - 10 * t * a)};
-}
-
-/// Cubic Hermite functions, t^2 (1 - t)^2, and the latter times 2t - 1.
-void cubic(double t, Derivatives (&out)[6]) {
-  const double a = 1 - t, t2 = t * t, a2 = a * a, odd = 2 * t - 1;
-  out[0] = {a2 * (1 + 2 * t), -6 * t * a, -6 + 12 * t, 12};
-  out[1] = {t * a2, a * (1 - 3 * t), -4 + 6 * t, 6};
-  out[2] = {t2 * (1 + 2 * a), 6 * t * a, 6 - 12 * t, -12};
-  out[3] = {-a * t2, t * (1 - 3 * a), 4 - 6 * a, 6};
-  const double bump = t2 * a2, bump1 = 2 * t * a * (1 - 2 * t), bump2 = 2 - 12 * t * a, bump3 = 12 * odd;
-  out[4] = {bump, bump1, bump2, bump3};
-  out[5] = {bump * odd, bump1 * odd + 2 * bump, bump2 * odd + 4 * bump1, bump3 * odd + 6 * bump2};
-}
-
-/// Linear functions, t (1 - t), and the latter times 2t - 1.
-void linear(double t, Derivatives (&out)[4]) {
-  out[0] = {1 - t, -1, 0, 0};
-  out[1] = {t, 1, 0, 0};
-  const double bump = t * (1 - t), bump1 = 1 - 2 * t, odd = 2 * t - 1;
-  out[2] = {bump, bump1, -2, 0};
-  out[3] = {bump * odd, bump1 * odd + 2 * bump, -2 * odd + 4 * bump1, -12};
-}
-
-/// Bounded slant u (1 + (u/bound)^4)^(-1/4): equal to u near zero, never beyond the bound. A ribbon's slant
-/// must not grow with the distance from its side, since ribbons of long, slanting faces would be evaluated
-/// far beyond their ends.
-Derivatives bounded(double u) {
-  const double k = 1 / (bound * bound * bound * bound);
-  const double u2 = u * u, u3 = u2 * u, q = 1 + k * u2 * u2, root = 1 / std::sqrt(std::sqrt(q));
-  const double first = root / q;
-  return {u * root, first, -5 * k * u3 * (first / q),
-          (-15 * k * u2 + 45 * k * k * u3 * u3 / q) * (first / q)};
-}
-
-template <class Jet>
-Jet root(const Jet& a) {
-  const double r = std::sqrt(a.v), d = 0.5 / r;
-  return compose(Derivatives{r, d, -0.5 * d / a.v, 0.75 * d / (a.v * a.v)}, a);
 }
 
 }  // namespace
@@ -136,16 +91,22 @@ void FaceChart::set_corners() {
       out.rise = at.out / f / at.across_out;
       in.rise = at.in / b / at.across_in;
     } else if (!straight_.back()) {
-      out.slant = (at.in / at.out * cosine(j) / b - own_cosine / f) / own_sine;
-      in.slant = (at.out / at.in * cosine(j) / f - own_cosine / b) / own_sine;
-      out.rise = at.in * sine(j) / (b * own_sine) / at.across_out;
-      in.rise = at.out * sine(j) / (f * own_sine) / at.across_in;
+      const double angle = linear_angle(at, vertex(j), vertex((j + 1) % n), vertex((j + n - 1) % n));
+      const double c = std::cos(angle), s = std::sin(angle);
+      out.slant = (at.in / at.out * c / b - own_cosine / f) / own_sine;
+      in.slant = (at.out / at.in * c / f - own_cosine / b) / own_sine;
+      out.rise = at.in * s / (b * own_sine) / at.across_out;
+      in.rise = at.out * s / (f * own_sine) / at.across_in;
+      out.length = at.out, out.unit = at.across_out, in.length = at.in, in.unit = at.across_in;
+      out.turn = in.turn = std::abs(at.angle - angle) > least_rotation ? at.angle / angle - 1 : 0;
     }
+    opens_ = opens_ || out.turn != 0;
     if (!singular_.back()) bend_toward_centre(j, out, in);
     out_.push_back(out);
     in_.push_back(in);
-    // Sides of a corner that turns less than half as much as in the regular polygon.
-    const double turn = std::atan2(own_sine, -own_cosine), u = std::clamp(1 - turn * n / pi, 0.0, 1.0);
+    // Sides of a corner that turns less than half as much as in the regular polygon of up to six sides.
+    const double turn = std::atan2(own_sine, -own_cosine),
+                 u = std::clamp(1 - turn * std::min(n, most_turning) / pi, 0.0, 1.0);
     opening_.push_back(u * u * (3 - 2 * u));
   }
 }
@@ -187,6 +148,9 @@ void FaceChart::set_sides() {
   for (int k = 0; k < n; ++k) {
     const double shape = std::min(longest_reach * slenderness(k), side_length(k) / apothems_[std::size_t(k)]);
     reach_.push_back(std::min(full_reach(k), std::max(least_reach, shape)));
+    // By measure: in polygons of many sides ribbons would give way to the centre all at once near their ends.
+    unit_.push_back(corner(k).centre_distance == 0 ? 1
+                                                   : std::min(1.0, longest_unit / apothems_[std::size_t(k)]));
   }
 }
 
@@ -260,32 +224,41 @@ double FaceChart::end_along(int side, int end) const {
   return reach(beside) * apothems_[std::size_t(beside)] / (rise * length);
 }
 
-template <class Jet>
-FaceChart::CornerMap<Jet> FaceChart::in_side(const CornerSide& side, int j, const Vector2& point,
-                                             bool bound) const {
-  const Vector2 from = point - vertex(j);
-  const Jet along = Jet::linear(side.along.dot(from), side.along.x(), side.along.y());
-  const Jet across = Jet::linear(side.across.dot(from), side.across.x(), side.across.y());
-  const Jet slant = side.slant * across;
-  const Jet t = along + (bound ? compose(bounded(slant.v), slant) : slant), s = side.rise * across;
-  if (side.bend_along == 0 && side.bend_across == 0) return {t, s};
-  const Jet both = across * Jet::linear(side.other.dot(from), side.other.x(), side.other.y());
-  return {t + side.bend_along * both, s + side.bend_across * both};
+std::array<Jet3, 2> FaceChart::opened(const Vector2& point) const {
+  std::array<Jet3, 2> out{Jet3::linear(point.x(), 1, 0), Jet3::linear(point.y(), 0, 1)};
+  for (int j = 0; j < sides(); ++j)
+    if (out_[std::size_t(j)].turn != 0) add_opening(j, point, out);
+  return out;
+}
+
+/// Opens the chart at a corner.
+void FaceChart::add_opening(int j, const Vector2& point, std::array<Jet3, 2>& out) const {
+  const CornerSide& side = out_[std::size_t(j)];
+  const CornerShape& at = corner(j);
+  const Vector2 &v = vertex(j), forward = vertex((j + 1) % sides()) - v,
+                back = vertex((j + sides() - 1) % sides()) - v;
+  const double angle = at.angle / (1 + side.turn);
+  const auto [x, y] = side.opening(point - v, angle, opened_reach * std::min(at.out, at.in));
+  // From the vertex's chart back to this one: forward is (out, 0) there, back is `in` at the angle.
+  const Jet3 by_back = (1 / (at.in * std::sin(angle))) * y,
+             by_forward = (1 / at.out) * (x - (at.in * std::cos(angle)) * by_back);
+  out[0] += forward.x() * by_forward + back.x() * by_back;
+  out[1] += forward.y() * by_forward + back.y() * by_back;
 }
 
 template <class Jet>
-FaceChart::CornerMap<Jet> FaceChart::outgoing(int j, const Vector2& point) const {
-  if (!singular(j)) return in_side<Jet>(out_[std::size_t(j)], j, point, true);
+CornerMap<Jet> FaceChart::outgoing(int j, const Vector2& point) const {
+  if (!singular(j)) return out_[std::size_t(j)].operator()<Jet>(point - vertex(j));
   const auto [alpha, beta] = in_corner<Jet>(j, point);
   return {alpha - beta,
           (2 * corner(j).out / corner(j).across_out) * (alpha * beta * reciprocal(alpha + beta))};
 }
 
 template <class Jet>
-FaceChart::CornerMap<Jet> FaceChart::incoming(int j, const Vector2& point) const {
+CornerMap<Jet> FaceChart::incoming(int j, const Vector2& point) const {
   const Jet one = Jet::constant(1);
   if (!singular(j)) {
-    const auto [t, s] = in_side<Jet>(in_[std::size_t(j)], j, point, true);
+    const auto [t, s] = in_[std::size_t(j)].operator()<Jet>(point - vertex(j));
     return {one - t, s};
   }
   const auto [alpha, beta] = in_corner<Jet>(j, point);
@@ -304,7 +277,8 @@ void FaceChart::vertex_jet(int j, const Vector2& point, std::vector<Jet>& all) c
     y1 = at.out * (alpha - beta);
     y2 = (0.5 * at.out) * (alpha + beta);
   } else {
-    const auto [t, s] = in_side<Jet>(out_[std::size_t(j)], j, point, false);
+    // Any linear map of the corner leaves the tangent plane and the curvature unchanged.
+    const auto [t, s] = out_[std::size_t(j)].unturned<Jet>(point - vertex(j), false);
     y1 = at.out * t;
     y2 = at.across_out * s;
   }
@@ -336,7 +310,7 @@ Jet FaceChart::distance(int side, const Vector2& point) const {
     if (open == 0) continue;
     const Vector2 along = (vertex(end == side ? b : side) - vertex(end)).normalized();
     const Jet x = Jet::linear(along.dot(point - vertex(end)), along.x(), along.y());
-    const Jet r = root(x * x + across * across);
+    const Jet r = square_root(x * x + across * across);
     if (x.v > 0) {
       const Jet q = across * reciprocal(r + x);
       factor += open * (q * q);
@@ -346,7 +320,7 @@ Jet FaceChart::distance(int side, const Vector2& point) const {
       within = false;
     }
   }
-  return within ? line * root(factor) : root(line * line * factor + beyond);
+  return within ? line * square_root(factor) : square_root(line * line * factor + beyond);
 }
 
 template <class Jet>
@@ -361,9 +335,9 @@ void FaceChart::add_ribbon(int side, const Vector2& point, const Jet& weight, Ro
   const Jet s = out.s + blend * (in.s - out.s);
 
   Derivatives r0[7], r1[6], r2[4];
-  quintic(t.v, r0);
-  cubic(t.v, r1);
-  linear(t.v, r2);
+  ribbon_quintic(t.v, r0);
+  ribbon_cubic(t.v, r1);
+  ribbon_linear(t.v, r2);
   const Jet once = weight * s, twice = 0.5 * (once * s);
   Jet f0[7], f1[6], f2[4];
   for (int i = 0; i < 7; ++i) f0[i] = weight * compose(r0[i], t);
@@ -451,16 +425,19 @@ void FaceChart::basis(int side, const Vector2& point, std::span<Jet> out, Room<J
     HARIKO_ASSERT(count < most_reached, "few ribbons reach a point");
     reached[count++] = m;
   }
-  // Weights w_m ~ (1 - d_m / reach)^3 prod_(k != m) d_k^3, and prod_k d_k^3 for the centre; factors of sides
-  // out of reach cancel.
-  Jet weight[most_reached], centre = Jet::constant(1), sum = Jet::constant(0);
+  // Weights w_m ~ (1 - d_m / reach)^3 prod_(k != m) (d_k / unit)^3, and prod_k (d_k / unit)^3 for the centre;
+  // factors of sides out of reach cancel.
+  Jet weight[most_reached], cubed[most_reached], centre = Jet::constant(1), sum = Jet::constant(0);
   for (int i = 0; i < count; ++i) {
-    Jet product = cube(Jet::constant(1) - (1 / reach(reached[i])) * distance[std::size_t(reached[i])]);
+    const Jet& own = distance[std::size_t(reached[i])];
+    weight[i] = cube(Jet::constant(1) - (1 / reach(reached[i])) * own);
+    cubed[i] = cube((1 / unit_[std::size_t(reached[i])]) * own);
+    centre = centre * cubed[i];
+  }
+  for (int i = 0; i < count; ++i) {
     for (int k = 0; k < count; ++k)
-      if (k != i) product = product * cube(distance[std::size_t(reached[k])]);
-    weight[i] = product;
-    centre = centre * cube(distance[std::size_t(reached[i])]);
-    sum += product;
+      if (k != i) weight[i] = weight[i] * cubed[k];
+    sum += weight[i];
   }
   sum += centre;
   const Jet share = reciprocal(sum);
@@ -473,7 +450,7 @@ template void FaceChart::basis(int, const Vector2&, std::span<Jet3>, Room<Jet3>&
 
 FaceChart::Curve FaceChart::curve(double t) {
   Derivatives r0[7];
-  quintic(t, r0);
+  ribbon_quintic(t, r0);
   Curve out;
   for (int i = 0; i < 7; ++i) {
     const double sign = i == 4 ? -1 : 1;  // g1 at b points back along the edge

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/base/vector.hpp"
+#include "core/g2/faces/corner_side.hpp"
 #include "core/g2/faces/jet3.hpp"
 
 namespace hariko {
@@ -96,6 +97,12 @@ class FaceChart {
   template <class Jet>
   void basis(int side, const Vector2& point, std::span<Jet> out, Room<Jet>& room) const;
 
+  /// Whether maps of corners turn about them (`linear_angle`).
+  bool opens() const { return opens_; }
+  /// Coordinates in which the chart is measured: the chart's own, opened at such corners so that their maps
+  /// are linear there. The chart's sides become slightly curved.
+  std::array<Jet3, 2> opened(const Vector2& point) const;
+
   /// Curve of a side at fraction t as coefficients of the corner controls at both ends and E0: (P_a, g1_a,
   /// g11_a, P_b, g1_b, g11_b, E0), with g1_b and g11_b along the edge seen from b.
   struct Curve {
@@ -110,20 +117,6 @@ class FaceChart {
   std::array<double, curve_control_count> spread_curve(int side, const double (&seven)[7]) const;
 
  private:
-  template <class Jet>
-  struct CornerMap {
-    Jet t, s;
-  };
-  /// Map from a corner of the polygon to the chart of its vertex, in the coordinates of one of its sides:
-  /// along it, in sides, t = along + slant * across, and s = rise * across, and terms of second order of
-  /// both.
-  struct CornerSide {
-    Vector2 along = Vector2::Zero(), across = Vector2::Zero();  ///< Gradients; across is a distance.
-    double slant = 0, rise = 1;
-    /// Terms of second order, by the product of the distances from both sides: the edges stay straight.
-    double bend_along = 0, bend_across = 0;
-    Vector2 other = Vector2::Zero();  ///< Gradient of the distance from the other side.
-  };
   /// Coordinates of a point in the basis of a corner's two sides.
   template <class Jet>
   struct CornerPoint {
@@ -131,8 +124,6 @@ class FaceChart {
   };
   template <class Jet>
   CornerPoint<Jet> in_corner(int corner, const Vector2& point) const;
-  template <class Jet>
-  CornerMap<Jet> in_side(const CornerSide& side, int corner, const Vector2& point, bool bound) const;
   template <class Jet>
   CornerMap<Jet> outgoing(int corner, const Vector2& point) const;
   template <class Jet>
@@ -153,19 +144,21 @@ class FaceChart {
   double side_length(int side) const { return (vertex((side + 1) % sides()) - vertex(side)).norm(); }
   double full_reach(int side) const;
   /// Corner that is straight in its vertex but not in the polygon: its map is not linear.
+  void add_opening(int corner, const Vector2& point, std::array<Jet3, 2>& out) const;
   bool singular(int corner) const { return singular_[static_cast<std::size_t>(corner)]; }
 
   std::vector<CornerShape> corners_;
   std::vector<double> cosine_, sine_;
   std::vector<bool> straight_, singular_;
   std::vector<CornerSide> out_,
-      in_;                       ///< per corner: beside the edge that opens it, and the one that closes it
+      in_;  ///< per corner: beside the edge that opens it, and the one that closes it
+  bool opens_ = false;
   std::vector<double> opening_;  ///< per corner: how far distances open beside it, 0 .. 1
   std::vector<int> departure_;   ///< per side: the control of its first departure, or -1
   int departure_count_ = 0;
   std::vector<Vector2> vertices_, normals_;  ///< normals: inward, unit length
   double radius_ = 0, apothem_ = 0, area_ = 0;
-  std::vector<double> apothems_, reach_;  ///< per side
+  std::vector<double> apothems_, reach_, unit_;  ///< per side
   int degree_ = 4;
   std::vector<std::vector<int>> near_sides_;  ///< per triangle: sides whose ribbon reaches into it, ascending
   std::vector<std::vector<int>> active_;

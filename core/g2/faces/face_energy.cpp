@@ -125,7 +125,8 @@ std::vector<ChartPoint> chart_quadrature(const FaceChart& chart, int side) {
   for (const auto& gs : radial_points(chart, side))
     for (const auto& gt : lateral) {
       const double v = gs.node * (1 - gt.node), w = gs.node * gt.node;
-      out.push_back({{v, w}, v * a + w * b, gs.weight * gt.weight * gs.node * determinant});
+      const Vector2 point = v * a + w * b;
+      out.push_back({{v, w}, point, point, gs.weight * gt.weight * gs.node * determinant});
     }
   return out;
 }
@@ -146,7 +147,17 @@ ControlPlaces::ControlPlaces(const FaceChart& chart) {
 }
 
 ChartSamples::ChartSamples(const FaceChart& of) : chart_(&of) {
-  for (int side = 0; side < of.sides(); ++side) points_.push_back(chart_quadrature(of, side));
+  for (int side = 0; side < of.sides(); ++side) {
+    points_.push_back(chart_quadrature(of, side));
+    changes_.emplace_back();
+    for (ChartPoint& at : points_.back()) {
+      if (!of.opens()) break;
+      const auto [x, y] = of.opened(at.point);
+      at.opened = {x.v, y.v};
+      changes_.back().emplace_back(x, y);
+      at.weight *= changes_.back().back().area;
+    }
+  }
   if (of.sides() > most_held_sides) return;
   for (int side = 0; side < of.sides(); ++side) basis_.push_back(make(side));
 }
@@ -158,6 +169,8 @@ ChartSamples::Basis ChartSamples::make(int side) const {
   FaceChart::Room<Jet3> room;
   for (std::size_t i = 0; i < points(side).size(); ++i)
     chart_->basis(side, points(side)[i].point, std::span(out.value).subspan(i * out.width, out.width), room);
+  for (std::size_t i = 0; i < changes(side).size(); ++i)
+    for (Jet3& f : std::span(out.value).subspan(i * out.width, out.width)) f = changes(side)[i](f);
   return out;
 }
 

@@ -11,6 +11,7 @@
 
 #include "core/g2/faces/dense_kernel.hpp"
 #include "core/g2/faces/face_chart.hpp"
+#include "core/g2/faces/opened_chart.hpp"
 
 namespace hariko {
 
@@ -31,6 +32,7 @@ struct G2Weights {
 struct ChartPoint {
   Vector2 barycentric;  ///< (v, w) in the triangle of the side
   Vector2 point;        ///< position in the chart
+  Vector2 opened;       ///< position in the opened chart
   double weight = 0;
 };
 /// Quadrature of the triangle at a side.
@@ -60,6 +62,10 @@ class ChartSamples {
   const FaceChart& chart() const { return *chart_; }
   int sides() const { return chart_->sides(); }
   const std::vector<ChartPoint>& points(int side) const { return points_[static_cast<std::size_t>(side)]; }
+  /// Changes to the opened chart's coordinates at these points; empty where the chart is not opened.
+  const std::vector<CoordinateChange>& changes(int side) const {
+    return changes_[static_cast<std::size_t>(side)];
+  }
   /// Calls body(basis) with the functions of a side's triangle.
   template <class Body>
   void with_basis(int side, const Body& body) const {
@@ -74,6 +80,7 @@ class ChartSamples {
 
   const FaceChart* chart_;
   std::vector<std::vector<ChartPoint>> points_;
+  std::vector<std::vector<CoordinateChange>> changes_;
   std::vector<Basis> basis_;
 };
 

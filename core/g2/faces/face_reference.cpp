@@ -5,6 +5,17 @@
 
 namespace hariko {
 
+namespace {
+
+ReferencePoint changed(const CoordinateChange& change, const ReferencePoint& at) {
+  Eigen::Matrix<double, 5, 3> from;
+  from << at.x.transpose(), at.y.transpose(), at.xx.transpose(), at.xy.transpose(), at.yy.transpose();
+  const Eigen::Matrix<double, 5, 3> to = change.matrix.topLeftCorner<5, 5>() * from;
+  return {to.row(0), to.row(1), to.row(2), to.row(3), to.row(4)};
+}
+
+}  // namespace
+
 FaceReference reference_of_patches(const ChartSamples& samples, const ReferencePatches& patches,
                                    const std::function<Index(int side)>& patch) {
   const FaceChart& chart = samples.chart();
@@ -24,6 +35,8 @@ FaceReference reference_of_patches(const ChartSamples& samples, const ReferenceP
                      a * a * p.dss + 2 * a * c * p.dst + c * c * p.dtt,
                      a * b * p.dss + (a * d + b * c) * p.dst + c * d * p.dtt,
                      b * b * p.dss + 2 * b * d * p.dst + d * d * p.dtt});
+    for (std::size_t i = 0; i < samples.changes(side).size(); ++i)
+      own[i] = changed(samples.changes(side)[i], own[i]);
   }
   return out;
 }

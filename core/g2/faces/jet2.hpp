@@ -2,6 +2,8 @@
 
 // Jet2: a function of two variables with its first and second derivatives at a point.
 
+#include <cmath>
+
 namespace hariko {
 
 /// Value and derivatives of a function of one variable.
@@ -53,6 +55,11 @@ template <class Jet>
 Jet reciprocal(const Jet& a) {
   const double r = 1 / a.v;
   return compose(Derivatives{r, -r * r, 2 * r * r * r, -6 * r * r * r * r}, a);
+}
+template <class Jet>
+Jet square_root(const Jet& a) {
+  const double r = std::sqrt(a.v), d = 0.5 / r;
+  return compose(Derivatives{r, d, -0.5 * d / a.v, 0.75 * d / (a.v * a.v)}, a);
 }
 template <class Jet>
 Jet cube(const Jet& a) {
