@@ -7,8 +7,8 @@ set -euo pipefail
 start_folder=$PWD
 cd "$(dirname "${BASH_SOURCE[0]}")"
 top=$PWD
-# STEP is what designers export, so the group cad is not left to choice.
-scripts/dependencies.sh build cad >&2
+# STEP is what designers export and WebP what they find, so the groups cad and webp are not left to choice.
+scripts/dependencies.sh build cad webp >&2
 scripts/check_build_folder.sh build/release
 cmake --preset release >&2
 cmake --build --preset release --target hariko hariko_sample_pictures >&2

@@ -122,14 +122,14 @@ bare_debian_13() {
 }
 
 if [ $full = no ]; then
-  scripts/dependencies.sh build cad test
+  scripts/dependencies.sh build cad webp test
   build release -DHARIKO_TESTS=ON
   core_tests
   if [ $core_only = no ]; then window_tests; fi
   exit 0
 fi
 
-scripts/dependencies.sh build cad test full bare
+scripts/dependencies.sh build cad webp test full bare
 failed=()
 # In a shell of its own, so that the first failing command ends the step.
 for this in check_formatting "build release -DHARIKO_TESTS=ON" window_tests full_tests long_random_tests sanitizer_tests \

@@ -15,6 +15,7 @@
 #include "app/crash_offers.hpp"
 #include "app/crash_report.hpp"
 #include "app/document_session.hpp"
+#include "app/engines/environment_loader.hpp"
 #include "app/engines/gauss_engine.hpp"
 #include "app/engines/mesh_previewer.hpp"
 #include "app/engines/paper_engine.hpp"
@@ -89,6 +90,7 @@ class Application final : private ApplicationServices {
         conversions_(editor_, long_, [this](const char* what, const auto& path) { happened(what, path); }),
         pictures_in_(editor_, long_, [this](const char* what, const auto& path) { happened(what, path); }),
         references_(editor_, &GlWindow::wake),
+        environments_(editor_, &GlWindow::wake),
         workbench_(editor_, renderer_, software_renderer() ? 1 : 4, window.metrics(), *this),
         exchange_(editor_, workbench_, long_,
                   [this](const char* what, const auto& path) { happened(what, path); }),
@@ -186,6 +188,7 @@ class Application final : private ApplicationServices {
   // Requests of the interface.
   void open(const std::filesystem::path& path) override { session_.open(path); }
   void import_file(const std::filesystem::path& path) override { exchange_.import_file(path); }
+  void drop_files(const std::vector<std::filesystem::path>& files) override { window_.drop(files); }
   void save(const std::filesystem::path& path, std::function<void()> then) override {
     session_.save(path, std::move(then));
   }
@@ -300,16 +303,7 @@ class Application final : private ApplicationServices {
       else if (event.down)
         workbench_.cap_button(event.code);
     }
-    std::vector<std::filesystem::path> pictures;
-    for (const auto& path : window_.take_drops()) {
-      if (is_reference_file(path))
-        pictures.push_back(path);
-      else if (path.extension() == ".hariko" || !editor_.has_document)
-        workbench_.open_guarded(path);
-      else
-        exchange_.import_file(path);
-    }
-    pictures_in_.add(pictures);
+    workbench_.take_files(window_.take_drops());
     if (window_.take_close()) workbench_.quit();
   }
 
@@ -341,6 +335,7 @@ class Application final : private ApplicationServices {
     gauss_.sync();
     sections_.sync();
     references_.sync();
+    environments_.sync();
     const auto layout_before = editor_.paper.layout;
     paper_.sync();
     if (editor_.paper.layout != layout_before) frames_ = std::max(frames_, 2);
@@ -380,6 +375,7 @@ class Application final : private ApplicationServices {
   ConversionJobs conversions_;
   ReferenceJobs pictures_in_;
   ReferenceLoader references_;
+  EnvironmentLoader environments_;
   Workbench workbench_;
   ExchangeJobs exchange_;
   GaussEngine gauss_;
@@ -389,9 +385,10 @@ class Application final : private ApplicationServices {
   Pictures pictures_;
   SamplePictures sample_pictures_;
   /// In the order in which their results are applied.
-  const std::vector<Publisher> publishers_{publisher(engine_), publisher(paper_),      publisher(long_),
-                                           publisher(edits_),  publisher(session_),    publisher(meshes_),
-                                           publisher(gauss_),  publisher(references_), publisher(sections_)};
+  const std::vector<Publisher> publishers_{
+      publisher(engine_),   publisher(paper_),       publisher(long_),  publisher(edits_),
+      publisher(session_),  publisher(meshes_),      publisher(gauss_), publisher(references_),
+      publisher(sections_), publisher(environments_)};
   int frames_ = frames_after_input;
   bool quit_ = false, idle_ = false;
   bool first_ = true;                       ///< no frame has been drawn yet

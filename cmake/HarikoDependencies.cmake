@@ -57,6 +57,16 @@ if(HARIKO_WINDOW)
   find_package(JPEG REQUIRED)
   find_package(Freetype REQUIRED)
   find_package(CLI11 REQUIRED)
+  # WebP pictures: the library, where it is installed.
+  pkg_check_modules(webp QUIET IMPORTED_TARGET libwebp)
+  set(HARIKO_WEBP OFF)
+  if(webp_FOUND)
+    set(HARIKO_WEBP ON)
+    message(STATUS "libwebp ${webp_VERSION}: the program reads WebP pictures")
+  else()
+    message(STATUS "libwebp was not found: the program will not read WebP pictures "
+      "(scripts/dependencies.sh webp installs it on Debian and Ubuntu)")
+  endif()
   # 3D mice: the library, where it is installed, talks to a daemon that may run or not.
   find_path(SPNAV_INCLUDE spnav.h)
   find_library(SPNAV_LIB spnav)

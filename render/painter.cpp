@@ -47,36 +47,6 @@ glm::vec4 range_uniform(ColorScale scale, const ValueRange& range) {
   return {s.pivot, s.place, s.below, s.above};
 }
 
-/// Mode number of surface.frag.glsl.
-int surface_mode(SurfaceMap map, bool with_values) {
-  switch (map) {
-    case SurfaceMap::shaded:
-      return 0;
-    case SurfaceMap::patches:
-      return 1;
-    case SurfaceMap::zebra:
-      return 2;
-    case SurfaceMap::continuity:
-      return 4;
-    case SurfaceMap::isophotes:
-      return 5;
-    default:
-      return with_values ? 3 : 4;
-  }
-}
-
-bool has_highlights(const SceneObject& object) {
-  return !object.selected_patches.empty() || !object.hovered_patches.empty();
-}
-
-std::string surface_defines(int mode, Material material, bool highlights, bool wire) {
-  const auto line = [](const char* name, int value) {
-    return "#define " + std::string(name) + " " + std::to_string(value) + "\n";
-  };
-  return line("MODE", mode) + line("MATERIAL", mode == 0 ? static_cast<int>(material) : 0) +
-         line("HIGHLIGHTS", highlights ? 1 : 0) + line("WIRE", wire ? 1 : 0);
-}
-
 }  // namespace
 
 Frame::Frame(const Scene& scene, const Camera& eye, PixelSize pixels, const Box3& box)
@@ -123,7 +93,7 @@ Result<Painter> Painter::create() {
   const auto line_defines = [](int dashed, int comb) {
     return "#define DASHED " + std::to_string(dashed) + "\n#define COMB " + std::to_string(comb) + "\n";
   };
-  const std::string plain = surface_defines(0, Material::clay, false, false);
+  const std::string plain = plain_surface_defines();
   const std::array<std::tuple<Program*, const char*, std::string>, 11> all{
       {{&programs.background, "background", {}},
        {&programs.grid, "grid", {}},
@@ -244,10 +214,8 @@ void Painter::bind_table(ColorScale scale) const {
   glBindTexture(GL_TEXTURE_1D, tables_[static_cast<std::size_t>(scale)].name());
 }
 
-Result<const Program*> Painter::surface_program(const SceneObject& object) {
-  const std::string defines =
-      surface_defines(surface_mode(object.map, object.mesh->has_values()), object.material,
-                      has_highlights(object), object.wire == PatchWire::mesh);
+Result<const Program*> Painter::surface_program(const SceneObject& object, const Scene& scene) {
+  const std::string defines = surface_defines(object, scene);
   if (const auto found = programs_.surface.find(defines); found != programs_.surface.end())
     return &found->second;
   Result<Program> loaded = Program::load("surface", defines);
@@ -256,10 +224,11 @@ Result<const Program*> Painter::surface_program(const SceneObject& object) {
 }
 
 Result<Done> Painter::surface(const Frame& frame, const SceneObject& object, const MeshBuffers& mesh,
-                              const ZebraSettings& zebra, const Style& style) {
-  const Result<const Program*> found = surface_program(object);
+                              const Scene& scene, const Style& style) {
+  const Result<const Program*> found = surface_program(object, scene);
   if (!found) return found.error();
   const Program& program = **found;
+  const ZebraSettings& zebra = scene.zebra;
   const Matrix4 model = at_origin(object.transform, object.mesh->origin());
   const Matrix3 rotation = frame.view.topLeftCorner<3, 3>();
   const Matrix3 linear = object.transform.topLeftCorner<3, 3>();
@@ -295,6 +264,11 @@ Result<Done> Painter::surface(const Frame& frame, const SceneObject& object, con
   program.set("table", table_unit);
   mesh.patch_colors().bind_texture(color_unit);
   if (object.wire == PatchWire::mesh) mesh.grid_places().bind_texture(place_unit);
+  if (mirrors_ceiling(object, scene)) set_ceiling(program, frame.view, scene);
+  if (mirrors_environment(object, scene)) {
+    const std::size_t uploaded = environment_.set(program, frame.view, scene.environment);
+    if (statistics_) statistics_->uploaded_bytes += uploaded;
+  }
   bind_table(scale);
   glDisable(GL_BLEND);
   glDisable(GL_DEPTH_CLAMP);

@@ -13,6 +13,7 @@
 #include "render/program.hpp"
 #include "render/renderer.hpp"
 #include "render/style.hpp"
+#include "render/surface_looks.hpp"
 
 namespace hariko::gl {
 
@@ -66,7 +67,7 @@ class Painter {
   void cut(const Frame& frame, bool on);
   /// Draws the surface of an object. Errors: E_GL_SHADER; programs for rare looks are compiled on first use.
   Result<Done> surface(const Frame& frame, const SceneObject& object, const MeshBuffers& mesh,
-                       const ZebraSettings& zebra, const Style& style);
+                       const Scene& scene, const Style& style);
 
   /// Line instances: a vertex array made by set_up_line_instances over a coordinate texture.
   struct Lines {
@@ -115,7 +116,7 @@ class Painter {
     std::map<std::string, Program> surface;
   };
   explicit Painter(Programs programs);
-  Result<const Program*> surface_program(const SceneObject& object);
+  Result<const Program*> surface_program(const SceneObject& object, const Scene& scene);
   void bind_table(ColorScale scale) const;
   void upload_stream(std::size_t bytes, const void* data);
   void set_frame(const Program& program, const Frame& frame, const Matrix4& model, double bias_pixels,
@@ -130,6 +131,7 @@ class Painter {
   VertexArray empty_, stream_lines_, stream_points_, stream_triangles_;
   Buffer stream_;
   TexturedBuffer overlay_points_;
+  EnvironmentTexture environment_;
   bool cutting_ = false;
   FrameStatistics* statistics_ = nullptr;
 };

@@ -1,10 +1,11 @@
 #include "render/read_jpeg.hpp"
 
-#include <algorithm>
 #include <array>
 #include <csetjmp>
 #include <cstdio>
 #include <string>
+
+#include "render/photo_orientation.hpp"
 
 // Included after cstdio, on which jpeglib.h depends.
 #include <jpeglib.h>
@@ -60,11 +61,14 @@ class JpegDecoder {
   /// Whether CMYK values are inverted: Photoshop writes the bare share of paper instead of ink, and marks
   /// such files.
   bool inverted() const { return info_.saw_Adobe_marker != 0; }
-  /// Bytes of the first APP1 marker, which has the camera's notes.
+  /// The camera's notes, in the first APP1 marker, from the header of TIFF on.
   std::string_view notes() const {
-    for (jpeg_saved_marker_ptr marker = info_.marker_list; marker; marker = marker->next)
-      if (marker->marker == JPEG_APP0 + 1)
-        return {reinterpret_cast<const char*>(marker->data), marker->data_length};
+    constexpr std::string_view mark("Exif\0\0", 6);
+    for (jpeg_saved_marker_ptr marker = info_.marker_list; marker; marker = marker->next) {
+      if (marker->marker != JPEG_APP0 + 1) continue;
+      const std::string_view bytes(reinterpret_cast<const char*>(marker->data), marker->data_length);
+      return bytes.starts_with(mark) ? bytes.substr(mark.size()) : std::string_view();
+    }
     return {};
   }
   std::string why() {
@@ -83,51 +87,6 @@ class JpegDecoder {
   std::jmp_buf jump_{};
   bool created_ = false;
 };
-
-/// EXIF orientation, 1 .. 8: position of the file's first row and column; 1 where none is noted.
-int exif_orientation(std::string_view notes) {
-  constexpr std::string_view mark("Exif\0\0", 6);
-  if (!notes.starts_with(mark)) return 1;
-  notes.remove_prefix(mark.size());
-  const bool little = notes.starts_with("II");
-  const auto number = [&](std::size_t at, std::size_t size) {
-    std::uint32_t value = 0;
-    for (std::size_t i = 0; i < size && at + i < notes.size(); ++i)
-      value |= std::uint32_t(static_cast<unsigned char>(notes[at + i])) << (8 * (little ? i : size - 1 - i));
-    return value;
-  };
-  if (notes.size() < 8 || number(2, 2) != 42) return 1;
-  const std::size_t table = number(4, 4);
-  const std::size_t count = table < notes.size() ? number(table, 2) : 0;
-  constexpr std::size_t entry_size = 12;
-  for (std::size_t i = 0; i < count; ++i) {
-    const std::size_t entry = table + 2 + entry_size * i;
-    if (entry + entry_size > notes.size()) break;
-    if (number(entry, 2) != 0x0112) continue;
-    const std::uint32_t value = number(entry + 8, 2);
-    return value >= 1 && value <= 8 ? int(value) : 1;
-  }
-  return 1;
-}
-
-bool turns_aside(int orientation) {
-  return orientation >= 5;
-}
-
-Image upright(Image file, int orientation) {
-  if (orientation == 1) return file;
-  Image out = turns_aside(orientation) ? Image(file.height, file.width) : Image(file.width, file.height);
-  for (int y = 0; y < out.height; ++y)
-    for (int x = 0; x < out.width; ++x) {
-      int column = turns_aside(orientation) ? y : x, row = turns_aside(orientation) ? x : y;
-      if (orientation == 2 || orientation == 3 || orientation == 7 || orientation == 8)
-        column = file.width - 1 - column;
-      if (orientation == 3 || orientation == 4 || orientation == 6 || orientation == 7)
-        row = file.height - 1 - row;
-      std::copy_n(file.pixel(column, row), 4, out.pixel(x, y));
-    }
-  return out;
-}
 
 void from_print(Image& image, bool inverted) {
   for (std::size_t i = 0; i < image.rgba.size(); i += 4) {
@@ -154,7 +113,7 @@ Result<PixelSize> jpeg_size(std::string_view file) {
   JpegDecoder decoder;
   if (!decoder.read_header(file)) return unreadable(decoder);
   const PixelSize size{int(decoder.columns()), int(decoder.rows())};
-  return turns_aside(exif_orientation(decoder.notes())) ? PixelSize{size.height, size.width} : size;
+  return upright_size(size, exif_orientation(decoder.notes()));
 }
 
 Result<Image> read_jpeg(std::string_view file, std::uint64_t most_pixels) {
@@ -166,7 +125,7 @@ Result<Image> read_jpeg(std::string_view file, std::uint64_t most_pixels) {
   Image image(int(decoder.columns()), int(decoder.rows()));
   if (!decoder.read_rows(image.rgba.data())) return unreadable(decoder);
   if (decoder.printed()) from_print(image, decoder.inverted());
-  return upright(std::move(image), orientation);
+  return upright_image(std::move(image), orientation);
 }
 
 }  // namespace hariko

@@ -5,6 +5,7 @@
 
 #include "core/base/files/file_ending.hpp"
 #include "render/read_jpeg.hpp"
+#include "render/read_webp.hpp"
 
 namespace hariko {
 
@@ -12,8 +13,8 @@ namespace {
 
 constexpr std::uint64_t most_decoded_pixels = 100'000'000;
 
-Message neither_png_nor_jpeg() {
-  return make_error(e_picture_kind, "The file is no PNG and no JPEG picture.",
+Message no_known_kind() {
+  return make_error(e_picture_kind, "The file is no PNG, JPEG or WebP picture.",
                     "Save the picture as PNG or JPEG and use that.");
 }
 
@@ -59,13 +60,14 @@ bool too_large(const Image& image) {
 }  // namespace
 
 std::span<const std::string_view> reference_endings() {
-  static constexpr std::array<std::string_view, 3> endings{".png", ".jpg", ".jpeg"};
-  return endings;
+  static constexpr std::array<std::string_view, 4> endings{".png", ".jpg", ".jpeg", ".webp"};
+  return std::span(endings).first(reads_webp() ? 4 : 3);
 }
 
 bool is_reference_file(const std::filesystem::path& path) {
   const auto endings = reference_endings();
-  return std::find(endings.begin(), endings.end(), lower_ending(path)) != endings.end();
+  const std::string ending = lower_ending(path);
+  return ending == ".webp" || std::find(endings.begin(), endings.end(), ending) != endings.end();
 }
 
 std::size_t ReferenceImage::bytes() const {
@@ -77,7 +79,8 @@ std::size_t ReferenceImage::bytes() const {
 Result<PixelSize> reference_size(std::string_view file) {
   Result<PixelSize> size = looks_like_png(file)    ? png_size(file)
                            : looks_like_jpeg(file) ? jpeg_size(file)
-                                                   : Result<PixelSize>(neither_png_nor_jpeg());
+                           : looks_like_webp(file) ? webp_size(file)
+                                                   : Result<PixelSize>(no_known_kind());
   if (size && std::uint64_t(size->width) * std::uint64_t(size->height) > most_decoded_pixels)
     return too_many_pixels();
   return size;
@@ -86,8 +89,9 @@ Result<PixelSize> reference_size(std::string_view file) {
 Result<ReferenceImage> decode_reference(std::string_view file, const CancelToken& cancel) {
   const Result<PixelSize> size = reference_size(file);
   if (!size) return size.error();
-  Result<Image> decoded =
-      looks_like_png(file) ? decode_png(file, most_decoded_pixels) : read_jpeg(file, most_decoded_pixels);
+  Result<Image> decoded = looks_like_png(file)    ? decode_png(file, most_decoded_pixels)
+                          : looks_like_jpeg(file) ? read_jpeg(file, most_decoded_pixels)
+                                                  : read_webp(file, most_decoded_pixels);
   if (!decoded) return decoded.error();
   Image image = std::move(decoded).value();
   premultiply(image);

@@ -12,13 +12,15 @@ namespace hariko {
 
 inline constexpr Code e_picture_kind{"E_PICTURE_KIND"};
 
-/// File endings that can be read: ".png", ".jpg", ".jpeg".
+/// File endings that can be read: ".png", ".jpg", ".jpeg", and ".webp" where the program was built with
+/// libwebp.
 std::span<const std::string_view> reference_endings();
-/// Whether a name has one of these endings.
+/// Whether a name has one of these endings, or ".webp" in any case: the reader says what is missing.
 bool is_reference_file(const std::filesystem::path& path);
 
-/// Upright size of a PNG or JPEG file, from its header alone; photographs are turned as the camera noted
-/// (EXIF). Errors: E_PICTURE_KIND where it is neither, E_IMAGE_READ, also above 100 million pixels.
+/// Upright size of a PNG, JPEG or WebP file, from its header alone; photographs are turned as the camera
+/// noted (EXIF). Errors: E_PICTURE_KIND where it is none of them, E_PICTURE_WEBP where the program was built
+/// without libwebp, E_IMAGE_READ, also above 100 million pixels and of animations.
 Result<PixelSize> reference_size(std::string_view file);
 
 /// Reference picture with mipmap levels.

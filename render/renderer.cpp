@@ -398,8 +398,7 @@ Result<Done> Renderer::draw(const Scene& scene, const Camera& camera, const Draw
     if (!object.draws_surface()) continue;
     gl::MeshBuffers& buffers = s.mesh_buffers(*object.mesh);
     buffers.set_patch_colors(patch_color_bytes(object), s.statistics.uploaded_bytes);
-    if (Result<Done> done = s.painter->surface(frame, object, buffers, scene.zebra, style); !done)
-      drawn = done;
+    if (Result<Done> done = s.painter->surface(frame, object, buffers, scene, style); !done) drawn = done;
   }
   s.painter->cut(frame, false);
   draw_references(PictureLayer::space);

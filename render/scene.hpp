@@ -15,18 +15,28 @@
 #include "render/display_mesh.hpp"
 #include "render/display_polyhedron.hpp"
 #include "render/edge_curves.hpp"
+#include "render/environment.hpp"
 #include "render/scene_picture.hpp"
 #include "render/surface_lines.hpp"
 
 namespace hariko {
 
 /// Frame of reference of zebra stripes and isophotes.
-enum class StripeLock : std::uint8_t { view, world, object };
+enum class StripeLock : std::uint8_t {
+  view,
+  world,
+  object,
+  /// Zebra: a ceiling of tubes over the scene, at a finite distance, so that each place mirrors another part
+  /// of it. Isophotes: as `world`.
+  tubes
+};
 
 /// Reflection stripes of parallel light tubes (zebra), or bands of equal angle between the normal and a
 /// direction (isophotes, which move on the surface with the view only for the lock `view`).
 struct ZebraSettings {
-  int stripes = 9;                         ///< 2 .. 64 dark stripes over the whole sphere of directions
+  /// 2 .. 64 dark stripes over the whole sphere of directions; of a ceiling, within two diagonals of the
+  /// scene.
+  int stripes = 9;
   Vector3 direction = {0.25, 0.15, 0.95};  ///< across the tubes, any length, in the axes that `lock` gives
   StripeLock lock = StripeLock::view;
   friend bool operator==(const ZebraSettings&, const ZebraSettings&) = default;
@@ -152,6 +162,7 @@ struct Scene {
   Background background = Background::dark;
   GridSettings grid;
   ZebraSettings zebra;
+  Environment environment;  ///< reflected by what is `shaded`
   std::optional<SectionPlane> section;
   bool colour_blind_safe = false;  ///< selects the colour scales of maps
   float hidden_opacity = 0.3F;     ///< opacity of x-ray parts, multiplied by their own

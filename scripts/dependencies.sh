@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Installs the Debian packages that are missing, as root or with sudo; does nothing when all are there.
-#   scripts/dependencies.sh [build] [cad] [test] [full] [package] [bench] [bare] [spacenav]      (default: build)
+#   scripts/dependencies.sh [build] [cad] [test] [full] [package] [bench] [bare] [spacenav] [webp]      (default: build)
 # Where packages are not Debian's, it names the libraries that are needed and goes on: CMake tells which are missing.
 set -euo pipefail
 
@@ -15,6 +15,8 @@ cad_packages=(libocct-data-exchange-dev libocct-modeling-algorithms-dev libocct-
   libocct-visualization-dev libocct-ocaf-dev)
 # 3D mice: the program builds without it, and says so.
 spacenav_packages=(libspnav-dev)
+# WebP pictures: the program builds without it, and says so.
+webp_packages=(libwebp-dev)
 # Bare roots of Debian (scripts/bare_machine.sh).
 bare_packages=(mmdebstrap git util-linux)
 bench_packages=(libbenchmark-dev libgtest-dev libassimp-dev "${cad_packages[@]}")
@@ -33,7 +35,8 @@ for group in "${@:-build}"; do
     bench) wanted+=("${bench_packages[@]}") ;;
     bare) wanted+=("${bare_packages[@]}") ;;
     spacenav) wanted+=("${spacenav_packages[@]}") ;;
-    *) echo "dependencies.sh: unknown group '$group' (build, cad, test, full, package, bench, bare, spacenav)" >&2; exit 2 ;;
+    webp) wanted+=("${webp_packages[@]}") ;;
+    *) echo "dependencies.sh: unknown group '$group' (build, cad, test, full, package, bench, bare, spacenav, webp)" >&2; exit 2 ;;
   esac
 done
 
@@ -43,7 +46,7 @@ This script installs packages on Debian and Ubuntu only. Hariko needs these, wit
   a C++20 compiler (clang 14 or GCC 12, or later), CMake 3.25, Ninja, pkg-config
   GLFW 3.3, Dear ImGui 1.86 with FreeType and the backends for GLFW and OpenGL 3, stb, libepoxy, GLM, X11
   Eigen 3.4, OpenSubdiv 3.5, oneTBB, nlohmann-json 3.11, CLI11, muParser, libzip, Expat, libpng, libjpeg-turbo, FreeType, Fontconfig, zlib
-  OpenCASCADE 7.6 for STEP and IGES; libspnav for 3D mice; the fonts Inter, Font Awesome 4 and Noto Sans CJK; ccache makes later builds faster
+  OpenCASCADE 7.6 for STEP and IGES; libspnav for 3D mice; libwebp for WebP pictures; the fonts Inter, Font Awesome 4 and Noto Sans CJK; ccache makes later builds faster
 TEXT
   exit 0
 fi

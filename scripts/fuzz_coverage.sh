@@ -11,7 +11,7 @@ profiles=build/coverage/profiles
 
 cmake -S . -B build/coverage -G Ninja -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_COMPILER=clang++ \
   "-DCMAKE_CXX_FLAGS=-fprofile-instr-generate -fcoverage-mapping" \
-  -DHARIKO_CAD=OFF -DHARIKO_FUZZ=ON -DHARIKO_SANITIZE=ON -DHARIKO_TESTS=OFF -DHARIKO_WINDOW=OFF >/dev/null
+  -DHARIKO_CAD=OFF -DHARIKO_FUZZ=ON -DHARIKO_SANITIZE=ON -DHARIKO_TESTS=OFF >/dev/null
 if [ ${#formats[@]} -eq 0 ]; then mapfile -t formats < <(basename -s _fuzz.cpp tests/fuzz/*_fuzz.cpp); fi
 cmake --build build/coverage --target "${formats[@]/%/_fuzz}"
 
@@ -25,6 +25,8 @@ readers() {
       "core/exchange/gltf/gltf_accessor.cpp core/exchange/scene_collector.cpp" ;;
     three_mf) echo "core/exchange/archive_3mf/read_3mf.cpp core/exchange/archive_3mf/model_3mf.cpp core/exchange/archive_3mf/xml_reader.cpp" \
       "core/exchange/archive_3mf/zip_reader.cpp core/exchange/scene_collector.cpp" ;;
+    pictures) echo "render/reference_image.cpp render/read_jpeg.cpp render/read_webp.cpp render/photo_orientation.cpp" \
+      "render/read_radiance.cpp" ;;
     cad_text) echo "core/cad/kernel/cad_text.cpp" ;;
     document) find core/document -name 'read_*.cpp' -o -name 'json_*.cpp' | sort ;;
     *) echo "fuzz_coverage.sh: no reader is known for '$1'" >&2; return 1 ;;

@@ -1,5 +1,6 @@
-// The surface: a material in studio light, patch colours, stripes, or a colour map.
-// MODE: 0 shaded, 1 patches, 2 zebra, 3 values, 4 neutral (a base for coloured curves), 5 isophotes.
+// The surface: a material in studio light, patch colours, stripes, a colour map, or a mirror of an environment.
+// MODE: 0 shaded, 1 patches, 2 zebra, 3 values, 4 neutral (a base for coloured curves), 5 isophotes, 6 environment.
+// TUBES, in MODE 2: the stripes are those of a ceiling at a finite distance.
 // MATERIAL, in MODE 0: 0 clay, 1 porcelain, 2 metal, 3 wax, 4 rubber, 5 plastic.
 uniform bool perspective;
 uniform vec2 viewport;         // pixels
@@ -19,10 +20,24 @@ uniform float dimming;         // 0 .. 1
 uniform vec3 selected_tint;
 uniform vec3 hovered_tint;
 uniform bool triangles;        // the patches' domain
+#if MODE == 2 && TUBES
+uniform vec3 ceiling_middle;   // camera axes
+uniform vec3 ceiling_normal;   // camera axes, unit, upwards
+uniform float tubes_per_length;
+#endif
+#if MODE == 6
+uniform sampler2D environment; // all directions; each level stands for a rougher surface
+uniform mat3 to_environment;   // camera axes to those of its picture
+uniform float roughest_level;  // stands for a matt surface
+uniform float exposure;        // factor
+#endif
 uniform vec4 wire_paint;
 uniform float line_width;  // of the mesh lines, pixels
 
 in vec3 eye_normal;
+#if MODE == 2 && TUBES
+in vec3 eye_place;
+#endif
 #if MODE == 3
 in vec2 map_value;  // value, and 1 where it is defined
 #endif
@@ -58,6 +73,31 @@ vec3 clay(vec3 base, vec3 n, vec3 v, bool inside) {
   return result;
 }
 
+#if MODE == 6 || (MODE == 0 && MATERIAL > 0)
+float fresnel(float at_front, float facing) {
+  return at_front + (1.0 - at_front) * pow(1.0 - facing, 5.0);
+}
+#endif
+
+#if MODE == 6
+// Light from a direction, averaged over the lobe of a level.
+vec3 surroundings(vec3 ray, float level) {
+  vec3 d = to_environment * ray;
+  float turn = abs(d.x) + abs(d.y) > 1e-6 ? atan(d.x, d.y) : 0.0;
+  vec2 place = vec2(0.5 + turn / 6.28318531, acos(clamp(d.z, -1.0, 1.0)) / 3.14159265);
+  return textureLod(environment, place, level).rgb;
+}
+// A lacquer: a mirror with some haze over a matt coat of the object's colour. Where the surface bends so much that a
+// pixel mirrors many texels, it takes their mean.
+vec3 lacquer(vec3 base, vec3 n, vec3 v, vec3 mirrored, vec3 per_pixel) {
+  float texels = length(per_pixel) * float(textureSize(environment, 0).y) / 3.14159265;
+  float level = clamp(log2(max(texels, 1.0)), 0.0, roughest_level);
+  float f = fresnel(0.40, clamp(dot(n, v), 0.0, 1.0));
+  vec3 gloss = mix(surroundings(mirrored, level), surroundings(mirrored, max(level, 2.0)), 0.25);
+  return exposure * (base * surroundings(n, roughest_level) * (1.0 - f) + f * gloss);
+}
+#endif
+
 #if MODE == 0 && MATERIAL > 0
 // A soft box: bright where the ray leaves through a rectangle that faces the object.
 float soft_box(vec3 ray, vec3 middle, vec2 size, float blur) {
@@ -75,9 +115,6 @@ vec3 room(vec3 ray, float blur) {
   walls += soft_box(ray, key, vec2(0.62, 0.42), 0.05 + blur) * vec3(3.6, 3.5, 3.4);
   walls += soft_box(ray, normalize(vec3(0.86, 0.12, 0.40)), vec2(0.16, 0.80), 0.05 + blur) * vec3(1.5, 1.65, 1.8);
   return walls;
-}
-float fresnel(float at_front, float facing) {
-  return at_front + (1.0 - at_front) * pow(1.0 - facing, 5.0);
 }
 vec3 diffuse(vec3 n, vec3 wrap) {
   vec3 lit = max((dot(n, key) + wrap) / (1.0 + wrap), 0.0);
@@ -110,12 +147,25 @@ vec3 material(vec3 base, vec3 n, vec3 v) {
 #endif
 
 #if MODE == 2 || MODE == 5
-float stripe(vec3 seen) {
-  float f = acos(clamp(dot(seen, stripe_direction), -1.0, 1.0)) / 3.14159265 * stripes;
+// White and black by turns, each half of a unit of f wide.
+float striped(float f) {
   float per_pixel = max(fwidth(f), 1e-5);
   float from_edge = (abs(fract(f) - 0.5) - 0.25) / per_pixel;  // pixels from the nearest edge of a stripe
   // Stripes narrower than two pixels fade to their mean.
   return mix(clamp(from_edge + 0.5, 0.0, 1.0), 0.5, smoothstep(0.5, 1.0, per_pixel));
+}
+float stripe(vec3 seen) {
+  return striped(acos(clamp(dot(seen, stripe_direction), -1.0, 1.0)) / 3.14159265 * stripes);
+}
+#endif
+
+#if MODE == 2 && TUBES
+// The tubes of the ceiling where a mirrored ray meets it; dark for rays that do not rise.
+float tube(vec3 ray) {
+  float rise = dot(ray, ceiling_normal);
+  float way = dot(ceiling_middle - eye_place, ceiling_normal) / max(rise, 1e-4);
+  float lit = striped(dot(eye_place + way * ray - ceiling_middle, stripe_direction) * tubes_per_length);
+  return lit * clamp(rise / max(fwidth(rise), 1e-5), 0.0, 1.0);
 }
 #endif
 
@@ -144,7 +194,11 @@ void main() {
   if (inside) n = -n;
 
 #if MODE == 2
+#if TUBES
+  float white = tube(reflect(-v, n));
+#else
   float white = stripe(reflect(-v, n));
+#endif
   vec3 result = inside ? mix(vec3(0.10, 0.12, 0.16), vec3(0.66, 0.74, 0.82), white) : vec3(mix(0.045, 0.955, white));
 #elif MODE == 5
   float white = stripe(n);
@@ -163,6 +217,10 @@ void main() {
   vec3 result = to_srgb(clay(to_linear(inside ? patch_color.rgb * 0.6 : patch_color.rgb), n, v, inside));
 #elif MODE == 4
   vec3 result = to_srgb(clay(to_linear(inside ? inside_color : undefined_color * 1.1), n, v, inside));
+#elif MODE == 6
+  vec3 mirrored = reflect(-v, n), per_pixel = fwidth(mirrored);
+  vec3 result = to_srgb(inside ? clay(to_linear(inside_color), n, v, true)
+                               : lacquer(to_linear(outside_color), n, v, mirrored, per_pixel));
 #elif MATERIAL > 0
   vec3 result = to_srgb(inside ? clay(to_linear(inside_color), n, v, true) : material(to_linear(outside_color), n, v));
 #else

@@ -1,4 +1,4 @@
-// Compiled for each MODE and MATERIAL (see surface.frag.glsl), with and without HIGHLIGHTS and WIRE.
+// Compiled for each MODE and MATERIAL (see surface.frag.glsl), with and without HIGHLIGHTS, WIRE and TUBES.
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
 layout(location = 2) in vec2 value;  // and 1 where it is defined
@@ -23,6 +23,9 @@ flat out vec4 patch_color;  // rgb, and in alpha: 0 plain, about 0.5 hovered, 1 
 #if WIRE
 out vec2 grid_place;
 #endif
+#if MODE == 2 && TUBES
+out vec3 eye_place;
+#endif
 
 void main() {
   vec4 eye = to_eye * vec4(position, 1.0);
@@ -35,6 +38,9 @@ void main() {
 #endif
 #if WIRE
   grid_place = texelFetch(grid_places, gl_VertexID % vertices_per_patch).rg;
+#endif
+#if MODE == 2 && TUBES
+  eye_place = eye.xyz;
 #endif
   gl_Position = projection * eye;
   gl_ClipDistance[0] = dot(section, eye);

@@ -100,6 +100,8 @@ struct RenderArguments {
   std::optional<SectionPlane> section;
   Construction construction;
   int stripes = 9;
+  std::string environment;  ///< word of an EnvironmentKind, or a file; empty: materials in their studio
+  double environment_turn = 0, exposure = 0;  ///< degrees and stops
   bool colour_blind_safe = false;
   // For maps of making; nothing or empty: as the document has it.
   std::optional<Vector3> pull;  ///< not zero

@@ -5,6 +5,7 @@
 #include "app/commands/document_input.hpp"
 #include "app/commands/saved_view_camera.hpp"
 #include "app/commands/shown_objects.hpp"
+#include "core/base/files/file_io.hpp"
 #include "core/document/edits/edit_making.hpp"
 #include "render/picture.hpp"
 #include "render/surface_maps.hpp"
@@ -49,6 +50,26 @@ Result<Document> with_making(const Document& document, const RenderArguments& ar
   return set_making(document, making);
 }
 
+/// The environment that the arguments name: by its word, else a file. Errors: of reading the file.
+Result<Environment> environment_of(const RenderArguments& arguments) {
+  Environment out;
+  out.turn = arguments.environment_turn;
+  out.exposure = arguments.exposure;
+  if (arguments.environment.empty()) return out;
+  Result<RadianceImage> picture = RadianceImage{};
+  if (const auto kind = enum_value<EnvironmentKind>(arguments.environment);
+      kind && *kind != EnvironmentKind::file) {
+    picture = environment_picture(*kind);
+  } else {
+    const Result<std::string> bytes = read_file(arguments.environment, largest_environment_file);
+    if (!bytes) return bytes.error();
+    picture = read_environment(*bytes);
+  }
+  if (!picture) return picture.error();
+  out.levels = std::make_shared<const EnvironmentLevels>(environment_levels(std::move(picture).value()));
+  return out;
+}
+
 }  // namespace
 
 int run_render(const RenderArguments& arguments) {
@@ -67,6 +88,12 @@ int run_render(const RenderArguments& arguments) {
   scene.section = arguments.section;
   scene.zebra.stripes = arguments.stripes;
   scene.colour_blind_safe = arguments.colour_blind_safe;
+  auto environment = environment_of(arguments);
+  if (!environment) {
+    report(arguments.environment, environment.error());
+    return exit_failed;
+  }
+  scene.environment = std::move(environment).value();
   auto objects = shown_objects_or_report(*document, arguments);
   if (!objects) return exit_failed;
   for (ShownObject& object : *objects) scene.objects.push_back(std::move(object.part));

@@ -142,6 +142,9 @@ class Reader {
     const auto read = enum_value<Enum>(*word);
     read || *word == none ? void(value = read) : refuse(name);
   }
+  void text(const char* name, std::string& value) {
+    if (const std::string* read = find_word(name)) value = *read;
+  }
   void texts(const char* name, std::map<std::string, std::string>& value) {
     const Json* json = find(name);
     if (!json) return;
@@ -222,6 +225,7 @@ class Writer {
   void choice(const char* name, std::optional<Enum> value, const char* none) {
     json_[name] = value ? enum_word(*value) : none;
   }
+  void text(const char* name, const std::string& value) { json_[name] = value; }
   void texts(const char* name, const std::map<std::string, std::string>& value) { json_[name] = value; }
   void exports(const ExportMemory& memory) {
     Json& json = object_at(json_, exports_member);

@@ -232,6 +232,9 @@ void ScriptSession::add_section(ObjectId skin, double place) {
 
 // Requests that need a window.
 
+void ScriptSession::drop_files(const std::vector<fs::path>&) {
+  asked_without_window();
+}
 void ScriptSession::recover(const std::string&) {
   asked_without_window();
 }

@@ -80,6 +80,7 @@ class ScriptSession final : private ApplicationServices {
   void convert(ObjectId object) override;
   void add_section(ObjectId skin, double place) override;
   // Requests of dialogs, panels and commands that need the window: asserted against.
+  void drop_files(const std::vector<std::filesystem::path>& files) override;
   void recover(const std::string& id) override;
   void discard_recovery(const std::string& id) override;
   void dismiss_crash() override;

@@ -241,6 +241,12 @@ void GlWindow::queue(std::vector<InputEvent> events) {
   for (InputEvent& event : events) state_->from_user(std::move(event));
 }
 
+void GlWindow::drop(const std::vector<std::filesystem::path>& files) {
+  InputEvent event{.kind = InputEvent::Kind::drop};
+  event.paths = files;
+  state_->from_user(std::move(event));
+}
+
 void GlWindow::replay(double now, const std::vector<InputEvent>& batch) {
   state_->replayed_now = now;
   for (const InputEvent& event : batch) state_->queue.push(event);

@@ -42,6 +42,9 @@ class GlWindow {
   /// Queues events of a device that the window does not know; passes over them while the window is not in
   /// front, as other programs hear of them, too.
   void queue(std::vector<InputEvent> events);
+  /// Queues files as if they had been dropped on the window; passes over them while a replay plays, which has
+  /// the drops of its recording.
+  void drop(const std::vector<std::filesystem::path>& files);
   /// Time of that batch, of the same clock as `now`; without input the present. ImGui's times follow it.
   double input_time() const;
   /// Replaces the user's input and the clock by this input and time, from now on.

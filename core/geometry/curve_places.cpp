@@ -100,6 +100,11 @@ Vector3 point_of(const SampledCurve& curve, std::size_t span, double share) {
   return span_of(curve, span).at(share);
 }
 
+Vector3 derivative_of(const SampledCurve& curve, std::size_t span, double share) {
+  HARIKO_ASSERT(span < span_count(curve), "a span of the curve");
+  return span_of(curve, span).derivative(share);
+}
+
 std::vector<Vector3> perpendicular_feet(const SampledCurve& curve, const Vector3& from) {
   return sign_changes(curve, from, [&](const Vector3& point, const Vector3& along) {
     const double scale = (point - from).norm() * along.norm();

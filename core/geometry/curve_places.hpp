@@ -22,6 +22,8 @@ struct SampledCurve {
 /// Point of the curve between two of its points. `span`: number of the first; `share`: 0 there .. 1 at the
 /// next. O(1).
 Vector3 point_of(const SampledCurve& curve, std::size_t span, double share);
+/// Derivative there with respect to the share. O(1).
+Vector3 derivative_of(const SampledCurve& curve, std::size_t span, double share);
 
 /// Points where the way from `from` meets the curve at right angles, in the order of the curve. Places at
 /// `from` itself are left out, and so are parts that are everywhere at right angles to the way (an arc round

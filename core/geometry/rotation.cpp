@@ -20,4 +20,20 @@ Eigen::Quaterniond least_rotation(const Vector3& from, const Vector3& to) {
   return out.normalized();
 }
 
+Vector3 carried_along(const Vector3& across, const Vector3& from, const Vector3& to, const Vector3& chord) {
+  const double first = chord.squaredNorm();
+  Vector3 next;
+  if (first > 0) {
+    const Vector3 middle = across - (2 / first) * chord.dot(across) * chord;
+    const Vector3 turned = from - (2 / first) * chord.dot(from) * chord;
+    const Vector3 rest = to - turned;
+    const double second = rest.squaredNorm();
+    next = second > 0 ? Vector3(middle - (2 / second) * rest.dot(middle) * rest) : middle;
+  } else {
+    next = least_rotation(from, to) * across;
+  }
+  next -= next.dot(to) * to;
+  return next.normalized();
+}
+
 }  // namespace hariko

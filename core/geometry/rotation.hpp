@@ -14,4 +14,10 @@ namespace hariko {
 /// files.
 Eigen::Quaterniond least_rotation(const Vector3& from, const Vector3& to);
 
+/// Rotation-minimising step along a curve: the unit vector `across` the unit tangent `from`, carried by
+/// double reflection (Wang, Juettler, Zheng and Liu 2008) to the end of `chord`, where the unit tangent is
+/// `to`. Of fourth order in the length of the step. Without a chord, at a corner, by the least rotation. The
+/// result is a unit vector at right angles to `to`.
+Vector3 carried_along(const Vector3& across, const Vector3& from, const Vector3& to, const Vector3& chord);
+
 }  // namespace hariko

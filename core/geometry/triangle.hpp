@@ -30,6 +30,13 @@ inline double squared_distance_to_segment(const Vector3& p, const Vector3& a, co
   return (offset - t * edge).squaredNorm();
 }
 
+/// Point of the segment ab nearest to `p`.
+inline Vector3 nearest_point_of_segment(const Vector3& p, const Vector3& a, const Vector3& b) {
+  const Vector3 edge = b - a;
+  const double length = edge.squaredNorm();
+  return a + (length > 0 ? std::clamp((p - a).dot(edge) / length, 0.0, 1.0) : 0.0) * edge;
+}
+
 /// Triangle prepared for many distance queries. A triangle without area counts as its longest side.
 class ClosedTriangle {
  public:
@@ -82,6 +89,19 @@ class ClosedTriangle {
     return worst;
   }
   double distance(const Vector3& p) const { return std::sqrt(squared_distance(p)); }
+  /// Point of the closed triangle nearest to `p`; of equally near ones that of the first side.
+  Vector3 nearest_point(const Vector3& p) const {
+    if (flat_) {
+      const Vector3 w = p - p_[0];
+      if (is_inside(second_.dot(w), third_.dot(w))) return p - normal_.dot(w) * normal_;
+    }
+    Vector3 nearest = nearest_point_of_segment(p, p_[0], p_[1]);
+    for (std::size_t i = 1; i < 3; ++i) {
+      const Vector3 other = nearest_point_of_segment(p, p_[i], p_[(i + 1) % 3]);
+      if ((p - other).squaredNorm() < (p - nearest).squaredNorm()) nearest = other;
+    }
+    return nearest;
+  }
   /// Signed distance of `p` to the plane, positive on the side that the normal points to; 0 without an area.
   double height(const Vector3& p) const { return normal_.dot(p - p_[0]); }
   /// Distance along a ray of unit direction to the point in which it meets the triangle, negative behind the

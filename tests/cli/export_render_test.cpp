@@ -150,6 +150,37 @@ TEST_F(ExportRender, PicturesOfEveryMapAndView) {
   EXPECT_TRUE(pictures.emplace(read_text(out), "lines").second) << "polyhedron and network do not show";
 }
 
+TEST_F(ExportRender, EnvironmentsAreReflectedTurnedAndExposed) {
+  const std::string out = path("picture.png");
+  const std::string command = "render " + golden("fig2.obj") + " " + out + " --size 160x120";
+  const auto picture = [&](const std::string& options) {
+    const Outcome result = run(command + options);
+    EXPECT_EQ(result.exit_code, 0) << result.error;
+    return read_text(out);
+  };
+  std::map<std::string, std::string> pictures;
+  EXPECT_TRUE(pictures.emplace(picture(""), "none").second);
+  std::string panorama = "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 2\n";
+  panorama += std::string("\x80\x20\x20\x80", 4) + std::string("\x20\x20\x80\x80", 4);
+  write_text(path("hall.hdr"), panorama);
+  for (const std::string& name : {std::string("studio"), std::string("tubes"), std::string("horizon"),
+                                  std::string("overcast"), path("hall.hdr")})
+    EXPECT_TRUE(pictures.emplace(picture(" --environment " + name), name).second) << name;
+  EXPECT_TRUE(pictures.emplace(picture(" --environment studio --environment-turn 90"), "turned by 90 degrees")
+                  .second);
+  EXPECT_TRUE(pictures.emplace(picture(" --environment studio --exposure -1.5"), "darker").second);
+  EXPECT_EQ(picture(" --environment studio --environment-turn 360"), picture(" --environment studio"));
+  write_text(path("text.hdr"), "no picture");
+  for (const auto& [name, code] : {std::pair{"gone.hdr", "E_FILE"}, {"text.hdr", "E_PICTURE_KIND"}}) {
+    const Outcome refused = run(command + " --environment " + path(name));
+    EXPECT_EQ(refused.exit_code, 1) << name;
+    EXPECT_NE(refused.error.find(code), std::string::npos) << refused.error;
+  }
+  for (const char* wrong : {" --environment studio --map zebra", " --environment-turn 10", " --exposure 1",
+                            " --environment studio --exposure 9"})
+    EXPECT_EQ(run(command + wrong).exit_code, 2) << wrong;
+}
+
 TEST_F(ExportRender, WhateverObjectsAreMadeFromIsDrawn) {
   std::string patch = "1\n3 3\n";
   for (int i = 0; i < 16; ++i) {

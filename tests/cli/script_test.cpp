@@ -4,9 +4,11 @@
 #include <cmath>
 #include <set>
 
+#include "core/document/edits/edits.hpp"
 #include "core/document/file.hpp"
 #include "core/document/object_box.hpp"
 #include "tests/cli/program.hpp"
+#include "tests/support/random_polyhedra.hpp"
 
 namespace hariko::test {
 namespace {
@@ -132,6 +134,30 @@ TEST_F(Scripts, LoopsAreCutAndFacesSubdivided) {
   EXPECT_EQ(saved("fine.hariko").objects.at(0)->polyhedron()->polyhedron.face_count(), 4U * 18U);
 }
 
+TEST_F(Scripts, CagesAreBroughtToScans) {
+  // A cube from -1 to 1, and a flat scan above it.
+  Document document = document_from_mesh(cube(), "Cage").value();
+  PolygonMesh sheet;
+  const double top = 1.25;
+  sheet.positions = {{-9, -9, top}, {9, -9, top}, {0, 9, top}};
+  sheet.add_face({0, 1, 2});
+  document = add_object(document, "Scan", MeshSource::from_mesh(sheet).value())->document;
+  ASSERT_TRUE(save_document(document, path("scan.hariko")).ok());
+  const Json projected = list(step("select.objects", {{"names", {"Cage"}}}), step("select.vertices"),
+                              step("select.all"), step("mesh.project_reference"));
+  const Outcome first = run_steps(projected, "--in " + path("scan.hariko") + " --out " + path("flat.hariko"));
+  ASSERT_EQ(first.exit_code, 0) << first.error;
+  const Document brought = saved("flat.hariko");
+  const PolyhedronSource& flat = *brought.objects.at(0)->polyhedron();
+  for (const Vector3& p : flat.polyhedron.positions()) EXPECT_NEAR(flat.origin.z() + p.z(), top, 1e-12);
+  const Json fitted =
+      list(step("select.objects", {{"names", {"Cage"}}}), step("mesh.fit_reference", {{"steps", 2}}));
+  const Outcome second = run_steps(fitted, "--in " + path("scan.hariko") + " --out " + path("fitted.hariko"));
+  ASSERT_EQ(second.exit_code, 0) << second.error;
+  EXPECT_FALSE(saved("fitted.hariko") == document);
+  expect_refused(list(step("add.box"), step("mesh.fit_reference")), {"No reference facets are shown"});
+}
+
 TEST_F(Scripts, TurnsAndScalesGoAboutAPoint) {
   const Json steps = list(step("add.cube", {{"at", {10, 0, 0}}, {"name", "A"}}),
                           step("transform.rotate", {{"angle", 90}, {"about", {0, 0, 0}}}),
@@ -142,6 +168,30 @@ TEST_F(Scripts, TurnsAndScalesGoAboutAPoint) {
   const Similarity& placed = document.objects.at(0)->transform;
   EXPECT_LT((placed.translation - Vector3(0, 22, 0)).norm(), 1e-9) << placed.translation.transpose();
   EXPECT_NEAR(placed.scale, 3, 1e-12);
+}
+
+TEST_F(Scripts, CopiesStandAlongSelectedEdges) {
+  const auto along = [&](const Json& arguments) {
+    return list(
+        step("add.box", {{"width", 40}, {"depth", 40}, {"height", 40}, {"at", {0, 0, 0}}, {"name", "Rail"}}),
+        step("add.box", {{"width", 2}, {"depth", 2}, {"height", 6}, {"at", {100, 0, 0}}, {"name", "Post"}}),
+        step("select.edges", {{"object", "Rail"}, {"from", {-21, -21, -21}}, {"to", {21, -19, -19}}}),
+        step("select.objects", {{"names", "Post"}}), step("object.array_curve", arguments));
+  };
+  const Outcome result = run_steps(along({{"count", 5}, {"turning", "none"}, {"on_curve", true}}),
+                                   "--out " + path("rail.hariko"));
+  ASSERT_EQ(result.exit_code, 0) << result.error;
+  const Document document = saved("rail.hariko");
+  ASSERT_EQ(document.objects.size(), 6U);
+  const auto place = [&](std::size_t post) { return document.objects[1 + post]->transform.translation; };
+  EXPECT_LT((place(0) + place(4) - Vector3(0, -40, -40)).norm(), 1e-6) << "one stands at either end";
+  EXPECT_NEAR(std::abs(place(0).x()), 20, 1e-6);
+  EXPECT_NEAR(place(1).x() + place(3).x(), 0, 1e-3);
+  EXPECT_LT(place(2).y(), -21) << "on the curve of the surface, which bulges out";
+  expect_refused(along({{"count", 5}, {"spacing", 3}}), {"E_SCRIPT_STEP", "by \"count\" or by \"spacing\""});
+  expect_refused(along({{"spacing", "1 m"}}), {"E_SCRIPT_STEP", "The curve is shorter than the spacing"});
+  expect_refused(list(step("add.box"), step("object.array_curve", {{"count", 3}})),
+                 {"E_SCRIPT_STEP", "No curve is selected"});
 }
 
 TEST_F(Scripts, PropertiesAreSetAndObjectsHidden) {

@@ -129,6 +129,7 @@ TEST(CurvePlaces, CornersStayStraightSidesBesideThem) {
       return (foot - wanted).norm() < 1e-12;
     })) << wanted.transpose();
   EXPECT_LT((point_of(square, 3, 0.25) - Vector3(0, 7.5, 0)).norm(), 1e-12) << "the closing side";
+  EXPECT_LT((derivative_of(square, 3, 0.25) - Vector3(0, -10, 0)).norm(), 1e-12);
 }
 
 TEST(CurvePlaces, SegmentsCrossWhereBothAre) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <cmath>
 
 #include "tests/support/random.hpp"
@@ -32,6 +33,20 @@ TEST(LeastRotation, OppositeDirectionsAreHalfATurnApartAndZeroTurnsNothing) {
     EXPECT_LE((least_rotation(a, -a) * a + a).norm(), 1e-15);
     EXPECT_TRUE(least_rotation(a, Vector3::Zero()).isApprox(Eigen::Quaterniond::Identity()));
   }
+}
+
+/// On a circle a step turns the vector about the circle's axis, exactly.
+TEST(CarriedAlong, AnArcTurnsAboutItsAxisAndACornerByTheLeastAngle) {
+  for_random(32, 300, [&](std::mt19937_64& rng) {
+    const Vector3 axis = random_vector(rng).normalized(), from = axis.unitOrthogonal();
+    const double angle = uniform(rng, -2, 2), size = std::exp(uniform(rng, -20, 20));
+    const Eigen::AngleAxisd turn(angle, axis);
+    const Vector3 middle = axis.cross(from) * (angle < 0 ? -size : size);
+    const Vector3 chord = middle - turn * middle;
+    const Vector3 across = Eigen::AngleAxisd(uniform(rng, 0, 6), from) * axis;
+    for (const Vector3& step : {chord, Vector3(Vector3::Zero())})
+      EXPECT_LE((carried_along(across, from, turn * from, step) - turn * across).norm(), 1e-12);
+  });
 }
 
 }  // namespace hariko::test

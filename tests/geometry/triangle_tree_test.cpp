@@ -109,5 +109,19 @@ TEST(TriangleTree, AtASharpEdgeTheFaceSeenFromItsSideDoesNotDecide) {
   EXPECT_EQ(tree.side(inside, tree.nearest(inside)), -1);
 }
 
+TEST(ClosedTriangle, TheNearestPointLiesInTheTriangleAtTheDistance) {
+  for_random(77, 300, [](std::mt19937_64& rng) {
+    const double size = log_uniform(rng, 1e-3, 1e6);
+    TriangleCorners corners{random_vector(rng, size), random_vector(rng, size), random_vector(rng, size)};
+    if (chance(rng, 0.1)) corners[2] = corners[0] + 0.3 * (corners[1] - corners[0]);  // without area
+    const ClosedTriangle triangle(corners);
+    const Vector3 point = random_vector(rng, 2 * size), nearest = triangle.nearest_point(point);
+    EXPECT_NEAR((nearest - point).norm(), triangle.distance(point), 1e-12 * size);
+    EXPECT_LT(triangle.distance(nearest), 1e-12 * size);
+    for (const Vector3& corner : corners)
+      EXPECT_GE((corner - point).norm(), (nearest - point).norm() * (1 - 1e-12));
+  });
+}
+
 }  // namespace
 }  // namespace hariko

@@ -24,6 +24,7 @@
 #include "core/modeling/operations/inset.hpp"
 #include "core/modeling/operations/merge_vertices.hpp"
 #include "core/modeling/operations/separate.hpp"
+#include "core/modeling/surfacing/project_to_reference.hpp"
 #include "tests/modeling/support.hpp"
 
 namespace hariko {
@@ -183,6 +184,15 @@ std::vector<Operation> tidying() {
        false},
       {"separate faces", [](const auto& s, Rng& rng) { return separate_faces(s, random_faces(s, rng)); },
        false, 20},
+      {"project",
+       [](const auto& s, Rng& rng) {
+         const double size = size_of(s);
+         const std::vector<Vector3> sheet{random_vector(rng, size), random_vector(rng, size),
+                                          random_vector(rng, size)};
+         const std::vector<std::array<Index, 3>> triangle{{0, 1, 2}};
+         const FacetPart part{sheet, triangle, s.origin, {}};
+         return project_to_reference(s, random_vertices(s, rng), ReferenceFacets({&part, 1}, s.origin, {}));
+       }},
   };
 }
 

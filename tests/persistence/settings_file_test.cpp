@@ -28,6 +28,7 @@ Settings unusual() {
   settings.orbit_selection = true;
   settings.refine_on_surface = false;
   settings.snaps = {false, false, true, true, true, true, true, true, false, true};
+  settings.environment = {EnvironmentKind::file, "/panoramas/hall.hdr", 120, -2.5};
   settings.orbit_speed = 0.3;
   settings.zoom_speed = 2.5;
   settings.autosave_seconds = 7;

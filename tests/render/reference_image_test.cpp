@@ -1,13 +1,15 @@
-// Files of reference pictures: PNG and JPEG, upright, with their smaller versions.
+// Files of reference pictures: PNG, JPEG and WebP, upright, with their smaller versions.
 
 #include "render/reference_image.hpp"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 
 #include "core/base/files/file_io.hpp"
 #include "core/document/picture_source.hpp"
+#include "render/read_webp.hpp"
 #include "render/scene_picture.hpp"
 #include "tests/support/places.hpp"
 #include "tests/support/random.hpp"
@@ -36,24 +38,43 @@ std::string quadrants(const Image& image) {
           colour_at(image, w / 4, 3 * h / 4), colour_at(image, 3 * w / 4, 3 * h / 4)};
 }
 
-/// The file with a note of its camera on which side is up.
-std::string with_orientation(const std::string& jpeg, int orientation, bool little) {
+std::string number_bytes(std::uint32_t value, std::size_t size, bool little) {
+  std::string bytes;
+  for (std::size_t i = 0; i < size; ++i)
+    bytes += static_cast<char>(value >> (8 * (little ? i : size - 1 - i)));
+  return bytes;
+}
+
+/// A camera's note on which side is up, as TIFF has it.
+std::string orientation_note(int orientation, bool little) {
   const auto number = [&](std::uint32_t value, std::size_t size) {
-    std::string bytes;
-    for (std::size_t i = 0; i < size; ++i)
-      bytes += static_cast<char>(value >> (8 * (little ? i : size - 1 - i)));
-    return bytes;
+    return number_bytes(value, size, little);
   };
   std::string tiff = (little ? "II" : "MM") + number(42, 2) + number(8, 4);
   tiff += number(2, 2);
   tiff += number(0x010f, 2) + number(2, 2) + number(4, 4) + "Abc" + std::string(1, '\0');
   tiff +=
       number(0x0112, 2) + number(3, 2) + number(1, 4) + number(std::uint32_t(orientation), 2) + number(0, 2);
-  tiff += number(0, 4);
-  const std::string body = std::string("Exif\0\0", 6) + tiff;
+  return tiff + number(0, 4);
+}
+
+/// The file with such a note.
+std::string with_orientation(const std::string& jpeg, int orientation, bool little) {
+  const std::string body = std::string("Exif\0\0", 6) + orientation_note(orientation, little);
   const std::size_t size = body.size() + 2;
   return jpeg.substr(0, 2) + "\xff\xe1" + static_cast<char>(size >> 8) + static_cast<char>(size & 0xff) +
          body + jpeg.substr(2);
+}
+
+std::string webp_chunk(const std::string& kind, const std::string& body) {
+  return kind + number_bytes(std::uint32_t(body.size()), 4, true) + body + std::string(body.size() % 2, '\0');
+}
+/// A simple WebP file of 32 x 16 pixels in the extended form, with these flags and a further chunk.
+std::string extended_webp(const std::string& simple, int flags, const std::string& chunk) {
+  const std::string size = number_bytes(31, 3, true) + number_bytes(15, 3, true);
+  const std::string body = "WEBP" + webp_chunk("VP8X", number_bytes(std::uint32_t(flags), 4, true) + size) +
+                           simple.substr(12) + chunk;
+  return webp_chunk("RIFF", body);
 }
 
 TEST(ReferenceImage, JpegsOfAllKindsAreRead) {
@@ -89,6 +110,52 @@ TEST(ReferenceImage, PhotographsStandUprightAsTheirCameraNoted) {
     }
   EXPECT_EQ(quadrants(decode_reference(with_orientation(jpeg, 9, true))->levels[0]), "rgbw")
       << "no such side";
+}
+
+TEST(ReferenceImage, WebpIsReadWhereItsLibraryIsThereAndElseRefusedByItsName) {
+  const std::string lossy = file_bytes("quadrants.webp"), lossless = file_bytes("quadrants_lossless.webp");
+  if (!reads_webp()) {
+    for (const auto& read : {decode_reference(lossy), decode_reference(lossless)}) {
+      ASSERT_FALSE(read.ok());
+      EXPECT_EQ(read.error().code, e_picture_webp);
+      EXPECT_NE(read.error().remedy.find("PNG or JPEG"), std::string::npos);
+    }
+    return;
+  }
+  const auto colours = decode_reference(lossy);
+  ASSERT_TRUE(colours.ok()) << to_string(colours.error());
+  EXPECT_EQ(colours->size, (PixelSize{32, 16}));
+  EXPECT_EQ(quadrants(colours->levels[0]), "rgbw");
+  const auto clear = decode_reference(lossless);
+  ASSERT_TRUE(clear.ok()) << to_string(clear.error());
+  const std::uint8_t* p = clear->levels[0].pixel(8, 4);
+  EXPECT_EQ(p[0], 128) << "red times alpha";
+  EXPECT_EQ(p[1], 0);
+  EXPECT_EQ(p[3], 128);
+  for (const std::string& cut : {lossy.substr(0, 40), lossy.substr(0, 13), lossless.substr(0, 30)}) {
+    const auto read = decode_reference(cut);
+    ASSERT_FALSE(read.ok());
+    EXPECT_EQ(read.error().code, e_image_read);
+  }
+}
+
+TEST(ReferenceImage, WebpPhotographsStandUprightAndAnimationsAreRefused) {
+  if (!reads_webp()) GTEST_SKIP() << "built without libwebp";
+  constexpr int has_notes = 8, animated = 2;
+  const std::string lossy = file_bytes("quadrants.webp");
+  for (const std::string& mark : {std::string(), std::string("Exif\0\0", 6)}) {
+    const std::string turned =
+        extended_webp(lossy, has_notes, webp_chunk("EXIF", mark + orientation_note(6, true)));
+    const auto image = decode_reference(turned);
+    ASSERT_TRUE(image.ok()) << to_string(image.error());
+    EXPECT_EQ(quadrants(image->levels[0]), "brwg");
+    EXPECT_EQ(image->size, (PixelSize{16, 32}));
+    EXPECT_EQ(reference_size(turned).value(), image->size);
+  }
+  const auto moving = reference_size(extended_webp(lossy, animated, {}));
+  ASSERT_FALSE(moving.ok());
+  EXPECT_EQ(moving.error().code, e_image_read);
+  EXPECT_NE(moving.error().text.find("animation"), std::string::npos);
 }
 
 TEST(ReferenceImage, PngsKeepTheirAlphaAndLevelsHalve) {
@@ -154,10 +221,13 @@ TEST(ReferenceImage, DamagedFilesNeverCrash) {
 }
 
 TEST(ReferenceImage, EndingsAreKnownInAnyCase) {
-  for (const char* name : {"a.png", "a.JPG", "b.jpeg", "/c/d.Png"})
+  for (const char* name : {"a.png", "a.JPG", "b.jpeg", "/c/d.Png", "e.WebP"})
     EXPECT_TRUE(is_reference_file(name)) << name;
   for (const char* name : {"a.obj", "png", "a.hariko", "a.jpg.txt"})
     EXPECT_FALSE(is_reference_file(name)) << name;
+  const auto endings = reference_endings();
+  EXPECT_EQ(std::count(endings.begin(), endings.end(), ".webp"), reads_webp() ? 1 : 0)
+      << "dialogs offer what can be read";
 }
 
 TEST(ScenePicture, SidesAreThoseOfTheStandardViews) {

@@ -125,6 +125,7 @@ struct MemberNames {
   void texts(const char* name, const Value&) {
     all.insert(name);
   }
+  void text(const char* name, const std::string&) { all.insert(name); }
   void flag(const char* name, bool) { all.insert(name); }
   void number(const char* name, double, double, double) { all.insert(name); }
   std::set<std::string> all;

@@ -13,6 +13,7 @@ class NoServices : public ApplicationServices {
  public:
   void open(const std::filesystem::path&) override {}
   void import_file(const std::filesystem::path&) override {}
+  void drop_files(const std::vector<std::filesystem::path>&) override {}
   void save(const std::filesystem::path&, std::function<void()>) override {}
   void save_copy(const std::filesystem::path&) override {}
   void revert() override {}

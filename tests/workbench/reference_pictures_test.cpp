@@ -1,5 +1,5 @@
-// Reference pictures by hand: dropped, placed, made the right size by two clicks, hidden, packed, lost and
-// found.
+// Reference pictures by hand: dropped, pasted, placed, made the right size by two clicks, hidden, packed,
+// lost and found.
 
 #include <gtest/gtest.h>
 
@@ -7,6 +7,7 @@
 
 #include "app/engines/reference_loader.hpp"
 #include "app/jobs/reference_jobs.hpp"
+#include "core/base/files/file_uri.hpp"
 #include "core/document/file.hpp"
 #include "core/document/object_box.hpp"
 #include "tests/support/random_polyhedra.hpp"
@@ -28,6 +29,9 @@ class ReferencePicturesByHand : public ::testing::Test, protected test::NoServic
   void unpack_picture(ObjectId id, const fs::path& file) override { jobs.unpack(id, file); }
   void replace_picture(ObjectId id, const fs::path& file) override { jobs.replace(id, file); }
   void find_pictures(const fs::path& file) override { jobs.find(file); }
+  void drop_files(const std::vector<fs::path>& files) override { bench.workbench().take_files(files); }
+  void import_file(const fs::path& path) override { imported.push_back(path); }
+  void open(const fs::path& path) override { opened.push_back(path); }
   void frames(int count) {
     for (int i = 0; i < count; ++i) bench.frame();
   }
@@ -72,8 +76,13 @@ class ReferencePicturesByHand : public ::testing::Test, protected test::NoServic
     EXPECT_TRUE(write_png(path, image).ok());
     return path;
   }
-  void drop(std::vector<fs::path> files) {
-    jobs.add(files);
+  void drop(const std::vector<fs::path>& files) {
+    drop_files(files);
+    settle();
+  }
+  void paste(const std::string& text) {
+    ImGui::SetClipboardText(text.c_str());
+    bench.key("Ctrl+V");
     settle();
   }
   const Object& picture() { return *editor.document().objects.back(); }
@@ -107,6 +116,7 @@ class ReferencePicturesByHand : public ::testing::Test, protected test::NoServic
   }
 
   test::TemporaryFolder folder;
+  std::vector<fs::path> imported, opened;
   test::HeadlessWorkbench bench{document_from_mesh(test::cube(), "Cube").value(), {1100, 760}, this};
   Editor& editor = bench.editor();
   BackgroundWork work{editor, [] {}};
@@ -161,6 +171,66 @@ TEST_F(ReferencePicturesByHand, WhatIsNoPictureIsTold) {
   EXPECT_EQ(editor.document().objects.size(), 1U);
   EXPECT_EQ(notices("text.png: The file is no PNG"), 1U);
   EXPECT_EQ(notices("gone.jpg"), 1U);
+}
+
+TEST_F(ReferencePicturesByHand, PastedPathsArriveAsDroppedFilesDo) {
+  look_at_front();
+  const std::size_t steps = editor.history.position();
+  const fs::path second = red_file("b.png");
+  paste(file_uri(red_file("my side.png")) + "\r\n\"" + second.string() + "\"\n");
+  ASSERT_EQ(editor.document().objects.size(), 3U);
+  EXPECT_EQ(editor.history.position(), steps + 1) << "one step";
+  const Object &first = *editor.document().objects[1], &other = *editor.document().objects[2];
+  EXPECT_EQ(first.name, "my side");
+  EXPECT_EQ(first.picture()->path, (folder.path() / "my side.png").generic_string());
+  EXPECT_EQ(first.picture()->look.only_from, PictureSide::front) << "the view that it was pasted over";
+  EXPECT_EQ(other.picture()->path, second.generic_string());
+  EXPECT_TRUE(world_box(first).intersection(world_box(other)).isEmpty()) << "side by side";
+  run("edit.undo");
+  EXPECT_EQ(editor.document().objects.size(), 1U);
+}
+
+TEST_F(ReferencePicturesByHand, APastedModelIsImportedAndAPastedDocumentOpened) {
+  const fs::path mesh = folder.path() / "tent.obj", model = folder.path() / "cup.hariko";
+  paste(mesh.string());
+  EXPECT_EQ(imported, std::vector{mesh});
+  paste(model.string());
+  EXPECT_EQ(opened, std::vector{model});
+  editor.has_document = false;
+  frames(2);
+  paste(mesh.string());
+  EXPECT_EQ(opened, (std::vector{model, mesh})) << "on the start page a mesh is opened";
+  EXPECT_EQ(imported.size(), 1U);
+}
+
+TEST_F(ReferencePicturesByHand, TextThatNamesNoFileChangesNothingAndIsExplained) {
+  const std::size_t steps = editor.history.position();
+  for (const char* text : {"118 mm", "", "/home/ada/notes.txt"}) {
+    editor.notices().clear();
+    paste(text);
+    EXPECT_EQ(notices("names no picture"), 1U) << text;
+  }
+  paste("pictures/front.png");
+  EXPECT_EQ(notices("front.png: The path is relative"), 1U);
+  paste("file://server/share/front.png");
+  EXPECT_EQ(notices("another computer"), 1U);
+  paste((folder.path() / "gone.png").string());
+  EXPECT_EQ(notices("gone.png"), 1U) << "as when it is dropped";
+  EXPECT_EQ(editor.history.position(), steps);
+  EXPECT_TRUE(imported.empty() && opened.empty());
+}
+
+TEST_F(ReferencePicturesByHand, WhileAFieldTakesTextPastingIsItsOwn) {
+  const std::string path = red_file().string();
+  bench.tap("F2");
+  frames(3);
+  ASSERT_TRUE(ImGui::GetIO().WantTextInput) << "the name is being typed";
+  paste(path);
+  EXPECT_EQ(editor.document().objects.size(), 1U);
+  bench.tap("Enter");
+  frames(3);
+  paste(path);
+  EXPECT_EQ(editor.document().objects.size(), 2U);
 }
 
 TEST_F(ReferencePicturesByHand, TwoClicksAndALengthMakeItTheRightSize) {

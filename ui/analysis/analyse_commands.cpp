@@ -69,6 +69,7 @@ Reason nothing_shows(const Editor& editor, SurfaceMap map) {
 /// Colours all surfaces; the map that is on goes off again.
 void show_map(Editor& editor, SurfaceMap map) {
   std::optional<SurfaceMap>& shown = editor.view.map.map;
+  if (map == SurfaceMap::shaded) editor.view.environment = false;
   if (map == SurfaceMap::shaded || shown == map)
     shown.reset();
   else
@@ -129,19 +130,47 @@ void add_maps(CommandHost& host) {
   const WhyNot document = needs_document(editor);
   for (const Entry& entry : entries) {
     const SurfaceMap map = entry.map;
-    host.table.add(
-        {.id = entry.id,
-         .menu = entry.menu,
-         .label = entry.label,
-         .help = entry.help,
-         .keys = entry.keys,
-         .run = [&editor, map] { show_map(editor, map); },
-         .why_not = [&editor, document, map]() -> Reason {
-           if (auto reason = document()) return reason;
-           return nothing_shows(editor, map);
-         },
-         .checked = [&editor, map] { return editor.view.map.map.value_or(SurfaceMap::shaded) == map; }});
+    host.table.add({.id = entry.id,
+                    .menu = entry.menu,
+                    .label = entry.label,
+                    .help = entry.help,
+                    .keys = entry.keys,
+                    .run = [&editor, map] { show_map(editor, map); },
+                    .why_not = [&editor, document, map]() -> Reason {
+                      if (auto reason = document()) return reason;
+                      return nothing_shows(editor, map);
+                    },
+                    .checked =
+                        [&editor, map] {
+                          const bool mirrors = map == SurfaceMap::shaded && editor.view.environment;
+                          return editor.view.map.map.value_or(SurfaceMap::shaded) == map && !mirrors;
+                        }});
   }
+}
+
+/// Turns the environment off where it is seen, else on; a map that hides it goes off.
+void switch_environment(Editor& editor) {
+  if (editor.view.environment && !editor.view.map.map)
+    editor.view.environment = false;
+  else
+    editor.show_environment(editor.settings.environment.kind);
+}
+
+void add_environment_switch(CommandHost& host) {
+  Editor& editor = host.editor;
+  const WhyNot document = needs_document(editor);
+  host.table.add(
+      {.id = "analyse.environment",
+       .menu = "Analyse",
+       .label = "Environment",
+       .help = "Let shaded surfaces reflect a studio, light tubes, a horizon, a sky or a panorama.",
+       .keys = "Alt+8",
+       .run = [&editor] { switch_environment(editor); },
+       .why_not = [&editor, document]() -> Reason {
+         if (auto reason = document()) return reason;
+         return nothing_shows(editor, SurfaceMap::shaded);
+       },
+       .checked = [&editor] { return editor.view.environment && !editor.view.map.map; }});
 }
 
 void add_switches(CommandHost& host) {
@@ -239,6 +268,7 @@ void wear(Editor& editor, Material material) {
     d = with_material(d, material);
     d.map = SurfaceMap::shaded;
   };
+  editor.view.environment = false;  // it would hide the material
   change_display(editor, "Material", dress,
                  [dress](const DisplaySettings&, DisplaySettings& to) { dress(to); });
 }
@@ -351,10 +381,12 @@ void add_meshing(CommandHost& host) {
 
 void add_analyse_commands(CommandHost& host) {
   add_maps(host);
+  add_environment_switch(host);
   add_switches(host);
   add_combs(host);
   add_view_switches(host);
   add_materials(host);
+  add_environment_commands(host);
   add_meshing(host);
 }
 

@@ -9,6 +9,7 @@
 #include <iterator>
 
 #include "core/document/edits/edits.hpp"
+#include "ui/analysis/environment_rows.hpp"
 #include "ui/analysis/making_rows.hpp"
 #include "ui/analysis/section_curve_rows.hpp"
 #include "ui/widgets/enum_labels.hpp"
@@ -367,6 +368,7 @@ void draw_display(PanelContext& context, const Objects& objects) {
                   [&](const Object& object) { return shown_map(context.editor.view.map, object) == wanted; });
   };
   if (shows(SurfaceMap::zebra) || shows(SurfaceMap::isophotes)) stripe_rows(context);
+  if (context.editor.view.environment && shows(SurfaceMap::shaded)) environment_rows(context);
   for (const SurfaceMap making :
        {SurfaceMap::draft, SurfaceMap::radius, SurfaceMap::thickness, SurfaceMap::deviation})
     if (shows(making)) making_rows(context, making);

@@ -8,7 +8,7 @@
 namespace hariko {
 
 const char* format_name(std::string_view ending) {
-  static constexpr std::array<std::pair<std::string_view, const char*>, 20> names{{
+  static constexpr std::array<std::pair<std::string_view, const char*>, 23> names{{
       {".hariko", translatable("Hariko document")},
       {".obj", "Wavefront OBJ"},
       {".off", "OFF"},
@@ -24,6 +24,9 @@ const char* format_name(std::string_view ending) {
       {".iges", "IGES"},
       {".igs", "IGES"},
       {".png", translatable("PNG picture")},
+      {".jpg", translatable("JPEG picture")},
+      {".jpeg", translatable("JPEG picture")},
+      {".webp", translatable("WebP picture")},
       {".svg", translatable("SVG line drawing")},
       {".pdf", "PDF"},
       {".dxf", "DXF"},

@@ -7,6 +7,7 @@
 
 #include "core/base/text/enum_words.hpp"
 #include "core/document/document.hpp"
+#include "render/environment.hpp"
 #include "ui/base/language.hpp"
 
 namespace hariko {
@@ -34,6 +35,15 @@ struct SnapSettings {
   friend bool operator==(const SnapSettings&, const SnapSettings&) = default;
 };
 
+/// Environment that surfaces reflect in views that show one.
+struct EnvironmentSettings {
+  EnvironmentKind kind = EnvironmentKind::studio;
+  std::string file;     ///< path of the user's own picture; kept while another kind is chosen
+  double turn = 0;      ///< degrees about z, anticlockwise from above: 0 .. 360
+  double exposure = 0;  ///< stops, up to Environment::most_exposure either way
+  friend bool operator==(const EnvironmentSettings&, const EnvironmentSettings&) = default;
+};
+
 struct Settings {
   ThemeId theme = ThemeId::dark;
   LanguageId language = LanguageId::english;
@@ -51,6 +61,7 @@ struct Settings {
   /// New vertices of cuts and subdivisions lie on the surface, which keeps its form; else on straight edges.
   bool refine_on_surface = true;
   SnapSettings snaps;
+  EnvironmentSettings environment;
 
   /// Writing takes time too, and no more than 30 seconds of work are ever lost.
   static constexpr double most_autosave_seconds = 25;

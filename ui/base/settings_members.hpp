@@ -8,7 +8,8 @@
 namespace hariko {
 
 /// Visits the members of one settings, or of several side by side: `choice(name, values...)` of enumerations
-/// with words, `flag(name, values...)`, `number(name, least, most, values...)` and `texts(name, values...)`.
+/// with words, `flag(name, values...)`, `number(name, least, most, values...)`, `text(name, values...)` and
+/// `texts(name, values...)`.
 template <class Visitor, class... AnySettings>
 void visit_settings(Visitor& visitor, AnySettings&... s) {
   visitor.choice("theme", s.theme...);
@@ -32,6 +33,11 @@ void visit_settings(Visitor& visitor, AnySettings&... s) {
   visitor.flag("snap_surfaces", s.snaps.surfaces...);
   visitor.flag("snap_grid", s.snaps.grid...);
   visitor.flag("snap_always", s.snaps.always...);
+  visitor.choice("environment", s.environment.kind...);
+  visitor.text("environment_file", s.environment.file...);
+  visitor.number("environment_turn", 0, 360, s.environment.turn...);
+  visitor.number("environment_exposure", -Environment::most_exposure, Environment::most_exposure,
+                 s.environment.exposure...);
   visitor.number("orbit_speed", 0.05, 20, s.orbit_speed...);
   visitor.number("zoom_speed", 0.05, 20, s.zoom_speed...);
   visitor.number("autosave_seconds", 1, Settings::most_autosave_seconds, s.autosave_seconds...);

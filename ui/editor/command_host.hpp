@@ -64,6 +64,7 @@ void add_solid_commands(CommandHost& host);
 void add_mesh_cleanup_commands(CommandHost& host);
 void add_transform_commands(CommandHost& host);
 void add_mesh_commands(CommandHost& host);
+void add_reference_commands(CommandHost& host);
 void add_shape_commands(CommandHost& host);
 void add_attach_commands(CommandHost& host);
 void add_outline_commands(CommandHost& host);
@@ -75,6 +76,8 @@ void add_saved_view_commands(CommandHost& host);
 void add_snap_commands(CommandHost& host);
 void add_plane_commands(CommandHost& host);
 void add_analyse_commands(CommandHost& host);
+/// Adds the commands of environments, which stand behind the materials.
+void add_environment_commands(CommandHost& host);
 /// Adds the commands of section curves, which stand among those that analyse.
 void add_section_curve_commands(CommandHost& host);
 void add_measure_commands(CommandHost& host);

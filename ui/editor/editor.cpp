@@ -175,6 +175,13 @@ void Editor::show(Notice notice) {
   if (notices_.size() > most) notices_.pop_front();
 }
 
+void Editor::show_environment(EnvironmentKind kind) {
+  settings.environment.kind = kind;
+  view.environment = true;
+  view.map.map.reset();
+  if (kind == EnvironmentKind::file) environment.reset();
+}
+
 void Editor::notify(Notice::Kind kind, std::string text, std::string remedy) {
   if (on_notice) on_notice(kind, text);
   show({kind, std::move(text), std::move(remedy), now});

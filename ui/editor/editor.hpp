@@ -67,6 +67,7 @@ struct ViewSettings {
   bool surfaces_only =
       false;  ///< for judging: no curves, points, polyhedra, handles or marks of the selection
   ZebraSettings zebra;
+  bool environment = false;       ///< what is shaded reflects the environment of the settings
   ContinuityTolerance tolerance;  ///< of the marks of continuity
   struct Section {
     bool shown = false, flipped = false;
@@ -135,6 +136,8 @@ class Editor {
   GaussView gauss;
   SectionCurves sections;
   References references;  ///< the pixels of reference pictures
+  /// Levels of the environment of the settings, while the view shows it; null until they are there.
+  std::shared_ptr<const EnvironmentLevels> environment;
 
   /// False while the start page shows.
   bool has_document = false;
@@ -192,6 +195,10 @@ class Editor {
   void tell_script(std::vector<WrittenCommand> steps);
   /// Commands that express the step to the present state; empty where none were given.
   std::span<const WrittenCommand> told_script() const;
+
+  /// Shows an environment in the place of the view's map, and makes it that of the settings. A file is read
+  /// anew.
+  void show_environment(EnvironmentKind kind);
 
   void notify(Notice::Kind kind, std::string text, std::string remedy = {});
   void notify(const Message& message);

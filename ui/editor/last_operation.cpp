@@ -94,7 +94,9 @@ bool LastOperation::commit(Editor& editor, const Document& before, const Operati
   }
   after_ = made->document;
   const OperationResult result = std::move(made).value();
-  if (!editor.commit(Result<Document>(result.document), step.label)) return false;
+  const bool changed = editor.commit(Result<Document>(result.document), step.label);
+  if (result.say) result.say(editor);
+  if (!changed) return false;
   if (step.written) editor.tell_script(step.written(step.numbers));
   after_ = editor.history.current();  // without the dimensions that have lost what they measured
   if (result.keeps_selection) return true;

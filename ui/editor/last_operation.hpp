@@ -38,6 +38,8 @@ struct OperationResult {
   std::vector<ObjectId> objects = {};  ///< whole objects; empty: those that were chosen stay so
   bool keeps_selection = false;        ///< what was selected stays so, and is active as before
   bool selects_as_operation = false;   ///< `selected` is for `select_result`
+  /// Tells what it brought, after each time the step was made or changed nothing; may be empty.
+  std::function<void(Editor&)> say = {};
 };
 using MakeOperation =
     std::function<Result<OperationResult>(const Document&, std::span<const OperationNumber>)>;

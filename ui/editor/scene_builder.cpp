@@ -46,7 +46,8 @@ bool same(const Scene& a, const Scene& b) {
          std::equal(a.lines.begin(), a.lines.end(), b.lines.begin(), b.lines.end(),
                     [](const OverlayLine& x, const OverlayLine& y) { return same(x, y); }) &&
          a.background == b.background && same(a.grid, b.grid) && a.zebra == b.zebra &&
-         a.section == b.section && a.colour_blind_safe == b.colour_blind_safe && a.pictures == b.pictures &&
+         a.environment == b.environment && a.section == b.section &&
+         a.colour_blind_safe == b.colour_blind_safe && a.pictures == b.pictures &&
          a.hidden_opacity == b.hidden_opacity && a.pixel_scale == b.pixel_scale &&
          std::equal(a.objects.begin(), a.objects.end(), b.objects.begin(),
                     [](const SceneObject& x, const SceneObject& y) { return same(x, y); });
@@ -187,6 +188,9 @@ void SceneBuilder::update(const Editor& editor) {
   if (const WorkingPlane& plane = editor.working_plane; !plane.is_ground())
     next.grid.plane = GridSettings::Plane{plane.frame.point, plane.frame.axes};
   next.zebra = editor.view.zebra;
+  if (editor.view.environment && !editor.paper.covers_model())
+    next.environment = {editor.environment, editor.settings.environment.turn,
+                        editor.settings.environment.exposure};
   next.colour_blind_safe = editor.settings.colour_blind_maps;
   next.hidden_opacity = static_cast<float>(editor.view.x_ray_strength);
   next.section = section_plane(editor.view);

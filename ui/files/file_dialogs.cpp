@@ -231,6 +231,21 @@ void FileDialogs::unpack_picture(ObjectId picture) {
                      [this, picture](const auto& path) { application_.unpack_picture(picture, path); }});
 }
 
+void FileDialogs::choose_environment() {
+  const auto endings = environment_endings();
+  show("environment", {translatable("Choose an environment"),
+                       translatable("Choose"),
+                       false,
+                       {endings.begin(), endings.end()},
+                       folder_proposal(),
+                       [this](const auto& path) {
+                         std::error_code unknown;
+                         const auto whole = std::filesystem::absolute(path, unknown);
+                         editor_.settings.environment.file = (unknown ? path : whole).string();
+                         editor_.show_environment(EnvironmentKind::file);
+                       }});
+}
+
 void FileDialogs::export_keys() {
   show("keys", {translatable("Export keys"),
                 translatable("Export"),

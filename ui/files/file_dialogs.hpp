@@ -40,6 +40,8 @@ class FileDialogs {
   void replace_picture(ObjectId picture);
   void find_pictures(const std::string& name);
   void unpack_picture(ObjectId picture);
+  /// The picture of an environment, which is shown then.
+  void choose_environment();
   /// `then` runs after success.
   void save_as(std::function<void()> then);
   void save_copy();

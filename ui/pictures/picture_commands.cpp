@@ -115,7 +115,7 @@ void add_picture_commands(CommandHost& host) {
   host.table.add({.id = "picture.add",
                   .menu = "File",
                   .label = "Add reference picture\u2026",
-                  .help = "Put a photograph or a drawing (PNG or JPEG) into the scene, to model by.",
+                  .help = "Put a photograph or a drawing (PNG, JPEG or WebP) into the scene, to model by.",
                   .icon = icon::picture,
                   .changes_document = true,
                   .needs_window = true,

@@ -6,12 +6,11 @@
 #include <cmath>
 #include <optional>
 
-#include "core/modeling/objects/arrange.hpp"
 #include "core/modeling/objects/primitives.hpp"
-#include "ui/editor/command_host.hpp"
 #include "ui/editor/new_object.hpp"
 #include "ui/editor/object_size.hpp"
 #include "ui/editor/selected_items.hpp"
+#include "ui/shell/arrange_operations.hpp"
 #include "ui/view/transform_tool.hpp"
 #include "ui/view/viewport.hpp"
 
@@ -24,57 +23,6 @@ constexpr Code e_no_ring_centre{"E_NO_RING_CENTRE"};
 constexpr const char* row_step = translatable("Array in a row");
 constexpr const char* ring_step = translatable("Array around an axis");
 constexpr const char* copies_step = translatable("Duplicate and move");
-
-std::string arrange_menu() {
-  return submenu("Edit", translatable("Array and align"));
-}
-
-/// Makes an operation on these objects.
-using MakeOfObjects = std::function<Result<MakeOperation>(const Editor&, std::vector<ObjectId>)>;
-/// Says how a script does that with the objects that are chosen; empty: it cannot.
-using WriteOfObjects = std::function<WriteOperation(const Editor&)>;
-
-/// Begins an operation on the objects that are chosen then.
-BeginOperation begin_on_chosen(const MakeOfObjects& make, const WriteOfObjects& write) {
-  return [make, write](const Editor& editor) -> Result<BegunOperation> {
-    if (const Reason reason = needs_object(editor)()) return make_error(e_no_objects, *reason);
-    auto made = make(editor, chosen_ids(editor));
-    if (!made) return made.error();
-    return BegunOperation{std::move(made).value(), {}, write(editor)};
-  };
-}
-
-void run_on_chosen(Editor& editor, const char* label, std::vector<OperationNumber> numbers,
-                   const MakeOfObjects& make, const WriteOfObjects& write) {
-  OperationStep step{label, std::move(numbers), {}, begin_on_chosen(make, write)};
-  auto begun = step.begin(editor);
-  if (!begun) return editor.notify(begun.error());
-  step.make = begun->make;
-  step.written = begun->written;
-  if (editor.last_operation.run(editor, std::move(step))) bring_into_sight(editor, chosen_ids(editor));
-}
-
-/// Originals with their copies, all of them chosen: a row of a row makes a grid.
-std::vector<ObjectId> with_copies_of(std::vector<ObjectId> originals, std::span<const ObjectId> copies) {
-  originals.insert(originals.end(), copies.begin(), copies.end());
-  return originals;
-}
-
-Result<OperationResult> all_chosen(const Result<AddedObjects>& added,
-                                   const std::vector<ObjectId>& originals) {
-  if (!added) return added.error();
-  OperationResult result{added->document, originals.front()};
-  result.objects = with_copies_of(originals, added->ids);
-  return result;
-}
-
-OperationNumber distance_number(const char* id, const char* label, double value) {
-  return {id, label, value, -max_primitive_length, max_primitive_length, false};
-}
-
-OperationNumber count_of_places(int value) {
-  return {"array_count", translatable("Total count"), double(value), least_places, most_places, true};
-}
 
 Box3 box_of_objects(const Editor& editor, std::span<const ObjectId> ids) {
   Box3 box;
@@ -282,13 +230,6 @@ void distribute_chosen(Editor& editor, Axis axis) {
                    translatable("Distribute objects"));
 }
 
-/// Makes copies for a script, which names every number.
-void make_copies(Editor& editor, const Result<AddedObjects>& added, const char* step) {
-  if (!added) return editor.notify(added.error());
-  const auto originals = chosen_ids(editor);
-  if (editor.commit(added->document, step)) choose_objects(editor, with_copies_of(originals, added->ids));
-}
-
 ScriptUse row_in_scripts(Editor& editor) {
   ScriptUse use;
   use.arguments = {whole_argument("count", translatable("Total count"), 3, least_places, most_places),
@@ -297,7 +238,7 @@ ScriptUse row_in_scripts(Editor& editor) {
     make_copies(
         editor,
         array_in_row(editor.history.current(), chosen_ids(editor), given.whole("count"), given.point("step")),
-        row_step);
+        chosen_ids(editor), row_step);
   };
   return use;
 }
@@ -313,7 +254,7 @@ ScriptUse ring_in_scripts(Editor& editor) {
     make_copies(editor,
                 array_around_axis(editor.history.current(), chosen_ids(editor), given.whole("count"), axis,
                                   given.number("angle")),
-                ring_step);
+                chosen_ids(editor), ring_step);
   };
   return use;
 }
@@ -370,6 +311,7 @@ void add_copying(CommandHost& host) {
              .why_not = object,
              .contexts = Context::object,
              .script = ring_in_scripts(editor)});
+  add_curve_array_command(host);
   bool first = true;
   const auto mirror = [&](const char* id, const char* label, Axis axis) {
     table.add({.id = id,

@@ -141,6 +141,9 @@ class PreferenceFields {
     note(row->note);
   }
 
+  /// Files are chosen where they are used.
+  void text(const char*, std::string&) {}
+
   /// Keys have a page of their own making.
   void texts(const char*, std::map<std::string, std::string>&) {}
 
@@ -231,6 +234,9 @@ class PreferenceReset {
   void flag(const char* member, bool& value, bool fresh) { choice(member, value, fresh); }
   template <class Value>
   void number(const char* member, double, double, Value& value, const Value& fresh) {
+    choice(member, value, fresh);
+  }
+  void text(const char* member, std::string& value, const std::string& fresh) {
     choice(member, value, fresh);
   }
   template <class Value>

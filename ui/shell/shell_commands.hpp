@@ -12,6 +12,8 @@ class Workbench;
 void add_file_commands(CommandHost& host, Workbench& workbench);
 /// Gives them their uses in scripts: files by their paths.
 void use_files_in_scripts(CommandHost& host);
+/// Taking files whose paths are in the clipboard.
+void add_paste_commands(CommandHost& host);
 /// Writing what is done as a script.
 void add_record_commands(CommandHost& host, Workbench& workbench);
 void add_preferences_commands(CommandHost& host, Workbench& workbench);

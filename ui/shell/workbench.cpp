@@ -8,6 +8,7 @@
 #include <array>
 #include <utility>
 
+#include "render/reference_image.hpp"
 #include "ui/base/icons.hpp"
 #include "ui/base/menu_letters.hpp"
 #include "ui/editor/selection_text.hpp"
@@ -61,6 +62,7 @@ void Workbench::add_commands() {
   // Commands of a menu stand in the order of these lines.
   add_file_commands(host_, *this);
   add_edit_commands(host_);
+  add_paste_commands(host_);
   add_object_commands(host_);
   add_group_commands(host_);
   add_arrange_commands(host_);
@@ -74,6 +76,7 @@ void Workbench::add_commands() {
   add_snap_commands(host_);
   add_mesh_commands(host_);
   add_mesh_cleanup_commands(host_);
+  add_reference_commands(host_);
   add_shape_commands(host_);
   add_attach_commands(host_);
   add_patch_commands(host_);
@@ -390,6 +393,19 @@ void Workbench::guarded(std::function<void()> action) {
 
 void Workbench::open_guarded(const std::filesystem::path& path) {
   guarded([this, path] { application_.open(path); });
+}
+
+void Workbench::take_files(const std::vector<std::filesystem::path>& files) {
+  std::vector<std::filesystem::path> pictures;
+  for (const std::filesystem::path& file : files) {
+    if (is_reference_file(file))
+      pictures.push_back(file);
+    else if (file.extension() == ".hariko" || !editor_.has_document)
+      open_guarded(file);
+    else
+      application_.import_file(file);
+  }
+  if (!pictures.empty()) application_.add_pictures(pictures);
 }
 
 void Workbench::save(std::function<void()> then) {

@@ -79,6 +79,9 @@ class Workbench final : public CommandServices {
   /// Does something that replaces the document or ends the program, after asking about unsaved work.
   void guarded(std::function<void()> action);
   void open_guarded(const std::filesystem::path& path) override;
+  /// Files that were dropped on the window: pictures are added, documents opened, and so is any other file on
+  /// the start page; into an open document it is imported.
+  void take_files(const std::vector<std::filesystem::path>& files);
   void save(std::function<void()> then);
   void new_document();
   /// Shows what a session left that crashed, where the start page does not.
@@ -101,6 +104,7 @@ class Workbench final : public CommandServices {
   void replace_picture(ObjectId picture) override { files_.replace_picture(picture); }
   void unpack_picture(ObjectId picture) override { files_.unpack_picture(picture); }
   void find_pictures(const std::string& missing) override { files_.find_pictures(missing); }
+  void choose_environment() override { files_.choose_environment(); }
   /// Panels as after the start of the program: closed or open by default, scrolled to their beginnings.
   void forget_interface();
   void close_document();

@@ -29,6 +29,8 @@ class ApplicationServices {
   virtual void open(const std::filesystem::path& path) = 0;
   /// Adds a file to the document.
   virtual void import_file(const std::filesystem::path& path) = 0;
+  /// Takes files as if they had been dropped on the window, in the next frame.
+  virtual void drop_files(const std::vector<std::filesystem::path>& files) = 0;
   /// Saves the committed document; `then` runs after success.
   virtual void save(const std::filesystem::path& path, std::function<void()> then) = 0;
   /// Saves a copy; the document keeps its file.

@@ -27,6 +27,7 @@ class CommandServices {
   virtual void unpack_picture(ObjectId picture) = 0;
   /// `missing`: the name of the file that is looked for, printable.
   virtual void find_pictures(const std::string& missing) = 0;
+  virtual void choose_environment() = 0;
 };
 
 }  // namespace hariko

@@ -224,6 +224,19 @@ inline constexpr auto enum_choices<Material> = all_choices<Material>({
     {Material::plastic, {translatable("Plastic"), translatable("Coloured gloss")}},
 });
 template <>
+inline constexpr auto enum_choices<EnvironmentKind> = all_choices<EnvironmentKind>({
+    {EnvironmentKind::studio, {translatable("Studio"), translatable("Soft boxes in a grey room")}},
+    {EnvironmentKind::tubes,
+     {translatable("Light tubes"), translatable("Parallel tubes overhead, as in a body shop")}},
+    {EnvironmentKind::horizon,
+     {translatable("Horizon"),
+      translatable("Dark ground under a clear sky: shows one line that runs round")}},
+    {EnvironmentKind::overcast,
+     {translatable("Overcast sky"), translatable("Soft light from above, without edges")}},
+    {EnvironmentKind::file,
+     {translatable("Picture file"), translatable("A panorama of your own: Radiance, PNG or JPEG")}},
+});
+template <>
 inline constexpr auto enum_choices<RangeMode> = all_choices<RangeMode>({
     {RangeMode::symmetric,
      {translatable("Symmetric"), translatable("As far below zero as above, without the outermost 2 %")}},
@@ -236,6 +249,10 @@ inline constexpr auto enum_choices<StripeLock> = all_choices<StripeLock>({
     {StripeLock::view, {translatable("View"), translatable("Stripes keep their place on the screen")}},
     {StripeLock::world, {translatable("World"), translatable("Stripes stand in the room")}},
     {StripeLock::object, {translatable("Object"), translatable("Stripes turn with the object")}},
+    {StripeLock::tubes,
+     {translatable("Ceiling"),
+      translatable("Zebra: parallel light tubes hang over the model, near enough that "
+                   "stripes depend on the place, too")}},
 });
 template <>
 inline constexpr auto enum_choices<PatchWire> = all_choices<PatchWire>({

@@ -172,6 +172,18 @@ void RenderCommandLine::add_looks() {
       command_->add_option("--stripes", arguments_.stripes, "Of zebra and isophotes, 2 to 64")
           ->check(CLI::Range(2, 64))
           ->capture_default_str(),
+      command_->add_option(
+          "--environment", arguments_.environment,
+          "What shaded surfaces reflect: studio, tubes, horizon, overcast, or a panorama as a "
+          "Radiance, PNG or JPEG file"),
+      command_
+          ->add_option("--environment-turn", arguments_.environment_turn,
+                       "Degrees about z, anticlockwise from above")
+          ->check(CLI::Range(-360.0, 360.0))
+          ->capture_default_str(),
+      command_->add_option("--exposure", arguments_.exposure, "Of the environment, in stops")
+          ->check(CLI::Range(-Environment::most_exposure, Environment::most_exposure))
+          ->capture_default_str(),
       command_->add_option("--background", background_, "Of the picture")
           ->check(CLI::IsMember(enum_word_list<Background>()))
           ->capture_default_str(),
@@ -219,7 +231,16 @@ void RenderCommandLine::check_picture() const {
     throw CLI::ValidationError("--range", "must be symmetric, percentile, full, or two numbers as -1,1");
   if (!colour_.empty() && !parse_colour(colour_))
     throw CLI::ValidationError("--colour", "must be like #b9b4ac");
+  check_environment();
   check_making();
+}
+
+void RenderCommandLine::check_environment() const {
+  const bool named = !arguments_.environment.empty();
+  if (named && *surface_map_from(map_) != SurfaceMap::shaded)
+    throw CLI::ValidationError("--environment", "is for the map shaded");
+  for (const char* option : {"--environment-turn", "--exposure"})
+    if (!named && *command_->get_option(option)) throw CLI::ValidationError(option, "needs --environment");
 }
 
 void RenderCommandLine::check_making() const {

@@ -33,6 +33,7 @@ class RenderCommandLine {
   /// Whether OUT is a line drawing, by its ending or by --format.
   bool is_drawing() const;
   void check_picture() const;
+  void check_environment() const;
   void check_making() const;
   void check_drawing() const;
   RenderArguments picture() const;

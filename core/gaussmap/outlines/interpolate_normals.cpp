@@ -6,6 +6,7 @@
 
 #include "core/base/assert.hpp"
 #include "core/geometry/polygon.hpp"
+#include "core/geometry/rotation.hpp"
 
 namespace hariko {
 namespace {
@@ -30,7 +31,7 @@ class LoopFrame {
     for (std::size_t i = 0; i < count; ++i) {
       const Vector3 chord = points[(i + 1) % count] - points[i];
       lengths_.push_back(lengths_.back() + chord.norm());
-      references_.push_back(transported(references_[i], tangents_[i], tangents_[(i + 1) % count], chord));
+      references_.push_back(carried_along(references_[i], tangents_[i], tangents_[(i + 1) % count], chord));
     }
     // Distributes the closing angle of the frame evenly over the length.
     const double closing = angle(0, references_.back());
@@ -52,19 +53,6 @@ class LoopFrame {
   }
 
  private:
-  /// Transports a reference vector by double reflection.
-  static Vector3 transported(const Vector3& reference, const Vector3& from, const Vector3& to,
-                             const Vector3& chord) {
-    const double square = chord.squaredNorm();
-    if (!(square > 0)) return rejection(reference, to).normalized();
-    const Vector3 middle = reference - 2 / square * chord.dot(reference) * chord;
-    const Vector3 turned = from - 2 / square * chord.dot(from) * chord;
-    const Vector3 second = to - turned;
-    const double other = second.squaredNorm();
-    return rejection(other > 0 ? Vector3(middle - 2 / other * second.dot(middle) * second) : middle, to)
-        .normalized();
-  }
-
   std::vector<Vector3> tangents_, references_;
   std::vector<double> lengths_;
 };

@@ -4,8 +4,11 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <numbers>
+#include <set>
 
 #include "core/document/edits/edit_support.hpp"
+#include "core/geometry/angles.hpp"
 #include "core/modeling/objects/mirrored_source.hpp"
 #include "core/modeling/objects/transformation.hpp"
 
@@ -14,6 +17,9 @@ namespace hariko {
 namespace {
 
 constexpr double full_turn = 360;
+constexpr double degrees_per_radian = 180 / std::numbers::pi;
+/// Arc lengths that are no more than rounding, relative to the curve's length or to the number of steps.
+constexpr double least_room = 1e-9;
 /// Distances that are no more than rounding, relative to the coordinates.
 constexpr double rounding_share = 16 * std::numeric_limits<double>::epsilon();
 
@@ -35,6 +41,43 @@ Result<Object> transformed_alone(const Object& object, const Transformation& tra
   const auto done = transform_object(alone, object.id, transformation, pivot);
   if (!done) return done.error();
   return *done->objects.front();
+}
+
+/// Turns of the places of a curve against the first.
+std::vector<Eigen::Quaterniond> turns_along(std::span<const ArcLengthCurve::Place> places,
+                                            CurveTurning turning) {
+  std::vector<Eigen::Quaterniond> out(places.size(), Eigen::Quaterniond::Identity());
+  if (turning == CurveTurning::with_curve)
+    for (std::size_t i = 1; i < places.size(); ++i)
+      out[i] = Eigen::Quaterniond(Matrix3(places[i].frame * places[0].frame.transpose())).normalized();
+  if (turning != CurveTurning::upright) return out;
+  constexpr double least_level = 1e-6;
+  std::optional<Vector3> first, last;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const Vector3 tangent = places[i].frame.col(2);
+    const Vector3 level(tangent.x(), tangent.y(), 0);
+    if (level.norm() > least_level) last = level;
+    if (last && !first) first = last;
+    if (!last) continue;
+    const double angle = signed_angle(*first, *last, Vector3::UnitZ());
+    out[i] = Eigen::AngleAxisd(angle, Vector3::UnitZ());
+  }
+  return out;
+}
+
+/// Moves objects of a document, which must be there, by the same way.
+Result<Document> moved_all(const Document& document, std::span<const ObjectId> objects, const Vector3& way) {
+  Document out = document;
+  const std::set<ObjectId> moved(objects.begin(), objects.end());
+  Transformation move;
+  move.translation = way;
+  for (auto& object : out.objects) {
+    if (!moved.contains(object->id)) continue;
+    auto done = transformed_alone(*object, move, Vector3::Zero());
+    if (!done) return done.error();
+    object = std::make_shared<const Object>(std::move(done).value());
+  }
+  return out;
 }
 
 /// Rotation that takes the object's rotation to that of its image. The reflection in the plane after one
@@ -156,6 +199,63 @@ Result<AddedObjects> array_around_axis(const Document& document, std::span<const
                              turn.degrees = degrees * static_cast<double>(number) / parts;
                              return transformed_alone(copy, turn, axis.point);
                            });
+}
+
+Result<std::vector<double>> ways_along(const ArcLengthCurve& curve, const CurveLayout& layout) {
+  if (!layout.spacing && (layout.count < least_places || layout.count > most_places))
+    return wrong_count(layout.count);
+  const double length = curve.length();
+  if (!std::isfinite(layout.offset) || (!curve.closed() && layout.offset < 0))
+    return make_error(e_array_offset, "The first place would lie before the curve's beginning.",
+                      "Use an offset that is not below zero.");
+  const double room = curve.closed() ? length : length - layout.offset;
+  if (!(room > least_room * length))
+    return make_error(e_curve_short, "The curve is shorter than the offset.",
+                      "Use a smaller offset or spacing, or a longer curve.");
+  double step = room / (curve.closed() ? layout.count : layout.count - 1);
+  double count = layout.count;
+  if (layout.spacing) {
+    step = *layout.spacing;
+    if (!(step > 0) || !std::isfinite(step))
+      return make_error(e_array_spacing, "The copies would lie on each other.",
+                        "Use a spacing that is above zero.");
+    const double steps = room / step;
+    count = curve.closed() ? std::ceil(steps * (1 - least_room)) : std::floor(steps * (1 + least_room)) + 1;
+    if (count < least_places)
+      return make_error(e_curve_short, "The curve is shorter than the spacing.",
+                        "Use a smaller offset or spacing, or a longer curve.");
+    if (count > most_places)
+      return make_error(e_array_spacing, "More than 10,000 copies would fit on the curve.",
+                        "Use a larger spacing.");
+  }
+  std::vector<double> out;
+  for (int i = 0; i < static_cast<int>(count); ++i) out.push_back(layout.offset + i * step);
+  if (!curve.closed()) out.back() = std::min(out.back(), length);
+  return out;
+}
+
+Result<AddedObjects> array_along_curve(const Document& document, std::span<const ObjectId> objects,
+                                       const ArcLengthCurve& curve, const CurveLayout& layout) {
+  if (objects.empty()) return nothing_to_arrange();
+  const auto ways = ways_along(curve, layout);
+  if (!ways) return ways.error();
+  std::vector<ArcLengthCurve::Place> places;
+  for (const double way : *ways) places.push_back(curve.at(way));
+  const auto turns = turns_along(places, layout.turning);
+  const Vector3 pivot = layout.carried.value_or(places[0].position);
+  auto added =
+      duplicate_objects(document, objects, places.size() - 1, [&](const Object& copy, std::size_t number) {
+        const Eigen::AngleAxisd turn(turns[number]);
+        Transformation change;
+        change.axis = turn.axis();
+        change.degrees = turn.angle() * degrees_per_radian;
+        change.translation = places[number].position - pivot;
+        return transformed_alone(copy, change, pivot);
+      });
+  if (!added || !layout.carried) return added;
+  auto moved = moved_all(added->document, objects, places[0].position - pivot);
+  if (!moved) return moved.error();
+  return AddedObjects{std::move(moved).value(), std::move(added->ids)};
 }
 
 Result<AddedObjects> mirrored_copies(const Document& document, std::span<const ObjectId> objects,

@@ -1,11 +1,15 @@
 #pragma once
 
-// Arranging whole objects: copies in rows, around an axis and behind a plane; common faces and equal gaps.
+// Arranging whole objects: copies in rows, around an axis, along a curve and behind a plane; common faces and
+// equal gaps.
 
+#include <optional>
 #include <span>
+#include <vector>
 
 #include "core/document/edits/edit_objects.hpp"
 #include "core/document/object_box.hpp"
+#include "core/geometry/arc_length_curve.hpp"
 #include "core/geometry/mirror_plane.hpp"
 
 namespace hariko {
@@ -16,6 +20,9 @@ inline constexpr Code e_array_count{"E_ARRAY_COUNT"};
 inline constexpr Code e_array_step{"E_ARRAY_STEP"};
 inline constexpr Code e_array_axis{"E_ARRAY_AXIS"};
 inline constexpr Code e_array_angle{"E_ARRAY_ANGLE"};
+inline constexpr Code e_array_spacing{"E_ARRAY_SPACING"};
+inline constexpr Code e_array_offset{"E_ARRAY_OFFSET"};
+inline constexpr Code e_curve_short{"E_CURVE_SHORT"};
 inline constexpr Code e_no_mirror_image{"E_NO_MIRROR_IMAGE"};
 inline constexpr Code e_object_extent{"E_OBJECT_EXTENT"};
 
@@ -41,6 +48,36 @@ struct RingAxis {
 /// `duplicate_objects`.
 Result<AddedObjects> array_around_axis(const Document& document, std::span<const ObjectId> objects, int count,
                                        const RingAxis& axis, double degrees);
+
+/// Turning of what stands along a curve: with the rotation-minimising frame, about the vertical with the
+/// direction of the curve seen from above, or not at all.
+enum class CurveTurning { with_curve, upright, none };
+
+/// Places along a curve. The first is at the arc length `offset`, the others at equal arc lengths behind it:
+/// as far as the curve's end, which is the last, or round a closed curve, on which the last is as far from
+/// the first as the others are from each other.
+struct CurveLayout {
+  int count = least_places;            ///< number of places, where there is no spacing
+  std::optional<double> spacing = {};  ///< arc length between places; as many as there is room for
+  double offset = 0;                   ///< on closed curves any, on open ones 0 .. length
+  CurveTurning turning = CurveTurning::with_curve;
+  /// Point of the objects that comes to lie on the curve: the originals are moved by its way to the first
+  /// place. Without it they stay where they are, and the copies stand to the curve as they do.
+  std::optional<Vector3> carried = {};
+};
+
+/// Arc lengths of the places of a layout on a curve, ascending; on closed curves they may go beyond its
+/// length. Errors: E_ARRAY_COUNT, E_ARRAY_SPACING (not above zero, not finite, or more than most_places fit),
+/// E_ARRAY_OFFSET (below zero on an open curve, or not finite), E_CURVE_SHORT (no room for two places).
+Result<std::vector<double>> ways_along(const ArcLengthCurve& curve, const CurveLayout& layout);
+
+/// Copies objects so that there is one of each at every place, the original at the first. Copies are turned
+/// against the original about its place as the curve is there against the first place. Where the curve is
+/// vertical, upright ones have the direction of the place before. Errors: E_NO_OBJECTS, those of
+/// `ways_along`, E_LOCKED (an original is to be moved), E_TRANSFORM_INVALID, and those of
+/// `duplicate_objects`.
+Result<AddedObjects> array_along_curve(const Document& document, std::span<const ObjectId> objects,
+                                       const ArcLengthCurve& curve, const CurveLayout& layout);
 
 /// Makes one mirror image of each object in a plane of the document's space. Surfaces and facets of the
 /// images are oriented outward. The source is reflected in a plane of its own space (`mirrored_source`), the

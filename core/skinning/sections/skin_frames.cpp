@@ -8,6 +8,7 @@
 
 #include "core/base/assert.hpp"
 #include "core/geometry/angles.hpp"
+#include "core/geometry/rotation.hpp"
 #include "core/skinning/skin_messages.hpp"
 
 namespace hariko {
@@ -38,15 +39,7 @@ std::vector<Vector3> transported(const SubdivisionCurve& path) {
     const double v0 = double(i) / count, v1 = double(i + 1) / count;
     const Vector3 t0 = unit_tangent(path, v0), t1 = unit_tangent(path, v1);
     const Vector3 step = evaluate(path, v1).position - evaluate(path, v0).position;
-    const Vector3 r = out.back();
-    const double c1 = step.squaredNorm();
-    const Vector3 rl = c1 > 0 ? Vector3(r - (2 / c1) * step.dot(r) * step) : r;
-    const Vector3 tl = c1 > 0 ? Vector3(t0 - (2 / c1) * step.dot(t0) * step) : t0;
-    const Vector3 second = t1 - tl;
-    const double c2 = second.squaredNorm();
-    Vector3 next = c2 > 0 ? Vector3(rl - (2 / c2) * second.dot(rl) * second) : rl;
-    next -= next.dot(t1) * t1;
-    out.push_back(next.normalized());
+    out.push_back(carried_along(out.back(), t0, t1, step));
   }
   return out;
 }

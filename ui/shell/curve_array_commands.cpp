@@ -1,0 +1,304 @@
+// The command that places copies of whole objects along a curve: a chain of selected edges, the path of a
+// skin or a loop of an outline.
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include "core/document/object_box.hpp"
+#include "core/modeling/objects/object_curves.hpp"
+#include "core/modeling/objects/primitives.hpp"
+#include "ui/editor/selected_items.hpp"
+#include "ui/editor/surface_view.hpp"
+#include "ui/shell/arrange_operations.hpp"
+
+namespace hariko {
+
+namespace {
+
+constexpr Code e_no_curve{"E_NO_CURVE"};
+constexpr Code e_which_curve{"E_WHICH_CURVE"};
+constexpr Code e_curve_pending{"E_CURVE_PENDING"};
+constexpr Code e_curve_surface{"E_CURVE_SURFACE"};
+
+constexpr const char* along_step = translatable("Array along a curve");
+constexpr const char* no_curve =
+    translatable("No curve is selected. Select edges, or choose a skin or an outline last.");
+constexpr const char* edges_of_several =
+    translatable("Edges of several objects are selected. Select those of one object.");
+constexpr const char* several_loops =
+    translatable("The outline has several loops. Select a point of one of them.");
+constexpr const char* nothing_to_copy =
+    translatable("Nothing is chosen to be copied along the curve. Press 4 and choose it, too.");
+
+/// The curve that is selected, and what is chosen beside it.
+struct CurveChoice {
+  ObjectId object;
+  std::vector<EdgeId> edges = {};  ///< none: the path of a skin, or a loop of an outline
+  std::size_t loop = 0;
+  std::vector<ObjectId> copied = {};
+};
+
+bool has_drawn_curve(const Object* object) {
+  return object && (object->skin() || object->outline());
+}
+
+/// The skin or outline that is meant: the active object, else the only one among those that are chosen.
+std::optional<ObjectId> drawn_curve(const Editor& editor, std::span<const ObjectId> chosen,
+                                    bool only_active) {
+  const auto drawn = [&](ObjectId id) { return has_drawn_curve(editor.document().find(id)); };
+  if (chosen.size() < 2) return {};
+  if (drawn(chosen.front())) return chosen.front();
+  if (only_active || std::count_if(chosen.begin(), chosen.end(), drawn) != 1) return {};
+  return *std::find_if(chosen.begin(), chosen.end(), drawn);
+}
+
+/// The loop of the points that are selected, or the only one.
+Result<std::size_t> chosen_loop(const Editor& editor, const Object& object) {
+  const Outline& outline = *object.outline()->outline;
+  const auto& points = editor.selection.of(object.id).vertices;
+  if (!points.empty() && points.begin()->value < outline.point_count())
+    return outline_point(outline, points.begin()->value).loop;
+  if (outline.loops.size() > 1) return make_error(e_which_curve, several_loops);
+  if (outline.loops.empty()) return make_error(e_no_curve, no_curve);
+  return std::size_t(0);
+}
+
+/// While elements are selected their edges come first; while objects are, the one that was chosen last.
+Result<CurveChoice> chosen_curve(const Editor& editor) {
+  const std::vector<ObjectId> chosen = chosen_ids(editor);
+  std::vector<ObjectId> with_edges;
+  for (const auto& [id, elements] : editor.selection.elements()) {
+    const Object* object = editor.document().find(id);
+    if (object && object->cage() && !elements.edges.empty()) with_edges.push_back(id);
+  }
+  CurveChoice out;
+  const bool elements_first = editor.mode != ElementMode::object && !with_edges.empty();
+  auto drawn = elements_first ? std::nullopt : drawn_curve(editor, chosen, !with_edges.empty());
+  if (drawn) {
+    out.object = *drawn;
+    const Object& object = *editor.document().find(*drawn);
+    const auto loop = object.outline() ? chosen_loop(editor, object) : Result<std::size_t>(std::size_t(0));
+    if (!loop) return loop.error();
+    out.loop = *loop;
+  } else {
+    if (with_edges.empty()) return make_error(e_no_curve, no_curve);
+    if (with_edges.size() > 1) return make_error(e_which_curve, edges_of_several);
+    out.object = with_edges.front();
+    const auto& edges = editor.selection.of(out.object).edges;
+    out.edges.assign(edges.begin(), edges.end());
+  }
+  std::copy_if(chosen.begin(), chosen.end(), std::back_inserter(out.copied),
+               [&](ObjectId id) { return id != out.object; });
+  if (out.copied.empty()) return make_error(e_no_objects, nothing_to_copy);
+  return out;
+}
+
+/// The surface whose curves lie over the edges of an object; null where none is shown.
+Result<const Surface*> surface_over_edges(const Editor& editor, const Object& object) {
+  if (!object.polyhedron() || !object.display.surface) return static_cast<const Surface*>(nullptr);
+  const SurfaceView* view = editor.view_of(object.id);
+  if (view && view->error)
+    return make_error(e_curve_surface, "The surface over the selected edges cannot be made.",
+                      "Hide the surface to use the straight edges.", element_of(object.id));
+  if (!view || !view->mesh || view->quality != Quality::final || !view->object ||
+      !(view->object->source == object.source))
+    return make_error(e_curve_pending, "The surface over the selected edges is still being computed.",
+                      "Try again when it is ready.", element_of(object.id));
+  return &view->surface;
+}
+
+Result<ObjectCurve> curve_of_choice(const Editor& editor, const CurveChoice& choice) {
+  const Object* object = editor.document().find(choice.object);
+  if (!object) return make_error(e_no_curve, no_curve);
+  if (!choice.edges.empty() && object->cage()) {
+    const auto surface = surface_over_edges(editor, *object);
+    if (!surface) return surface.error();
+    return curve_of_edges(*object, choice.edges, *surface);
+  }
+  if (object->skin()) return curve_of_path(*object);
+  if (object->outline() && choice.loop < object->outline()->outline->loops.size())
+    return curve_of_loop(*object, choice.loop);
+  return make_error(e_no_curve, no_curve);
+}
+
+/// Numbers of the operation by their places in the list.
+enum CurveNumber : std::size_t {
+  places_number,
+  count_number,
+  spacing_number,
+  turning_number,
+  offset_number,
+  begin_number,
+  direction_number
+};
+
+bool is_set(std::span<const OperationNumber> numbers, CurveNumber number) {
+  return numbers[number].value != 0;
+}
+
+Vector3 middle_of_objects(const Document& document, std::span<const ObjectId> objects) {
+  Box3 box;
+  for (const ObjectId id : objects)
+    if (const Object* object = document.find(id)) box.extend(world_box(*object));
+  return box.isEmpty() ? Vector3(Vector3::Zero()) : Vector3(box.center());
+}
+
+Result<AddedObjects> arrayed_along(const Document& document, const std::vector<ObjectId>& objects,
+                                   const ObjectCurve& curve, CurveLayout layout, bool onto_curve,
+                                   bool backward) {
+  const auto made = ArcLengthCurve::make(backward ? run_backward(curve.pieces) : curve.pieces, curve.closed);
+  if (!made) return made.error();
+  if (onto_curve) layout.carried = middle_of_objects(document, objects);
+  return array_along_curve(document, objects, *made, layout);
+}
+
+MakeOperation make_along(std::vector<ObjectId> objects, ObjectCurve found) {
+  const auto curve = std::make_shared<const ObjectCurve>(std::move(found));
+  return [objects = std::move(objects), curve](const Document& document, std::span<const OperationNumber> n) {
+    CurveLayout layout;
+    layout.count = int(n[count_number].value);
+    if (is_set(n, places_number)) layout.spacing = n[spacing_number].value;
+    layout.turning = CurveTurning(int(n[turning_number].value));
+    layout.offset = n[offset_number].value;
+    return all_chosen(arrayed_along(document, objects, *curve, layout, is_set(n, begin_number),
+                                    is_set(n, direction_number)),
+                      objects);
+  };
+}
+
+/// On the curve that is selected then, else on the one that was selected for the first step.
+MakeOfObjects along_chosen_curve(const CurveChoice& first) {
+  return [first](const Editor& editor, std::vector<ObjectId> ids) -> Result<MakeOperation> {
+    auto choice = chosen_curve(editor);
+    if (!choice && choice.error().code == e_no_curve) {
+      CurveChoice again = first;
+      again.copied = std::move(ids);
+      choice = std::move(again);
+    }
+    if (!choice) return choice.error();
+    auto curve = curve_of_choice(editor, *choice);
+    if (!curve) return curve.error();
+    return make_along(choice->copied, std::move(curve).value());
+  };
+}
+
+constexpr const char* turning_words[] = {"curve", "upright", "none"};
+
+WriteOperation written_along(const Editor&) {
+  return [](std::span<const OperationNumber> n) {
+    return std::vector{WrittenCommand{
+        "object.array_curve",
+        {is_set(n, places_number) ? written("spacing", n[spacing_number].value)
+                                  : written("count", n[count_number].value),
+         written("turning", std::string(turning_words[std::size_t(n[turning_number].value)])),
+         written("offset", n[offset_number].value), written_switch("on_curve", is_set(n, begin_number)),
+         written_switch("backward", is_set(n, direction_number))}}};
+  };
+}
+
+OperationNumber curve_choice_number(const char* id, const char* label, std::vector<const char*> choices,
+                                    int value) {
+  const double last = double(choices.size()) - 1;
+  return {id, label, double(value), 0, last, true, false, std::move(choices)};
+}
+
+/// A fifth of a curve, with two digits.
+double usual_spacing(double length) {
+  const double digit = std::pow(10, std::floor(std::log10(length / 5)) - 1);
+  return std::floor(length / 5 / digit) * digit;
+}
+
+std::vector<OperationNumber> numbers_along(const ArcLengthCurve& curve, const Vector3& objects) {
+  constexpr int usual_count = 6;
+  constexpr double clearly = 1 - 1e-6;  // of equal distances the beginning counts
+  const bool nearer_to_end = !curve.closed() && (curve.at(curve.length()).position - objects).norm() <
+                                                    clearly * (curve.at(0).position - objects).norm();
+  OperationNumber spacing =
+      distance_number("array_spacing", translatable("Spacing"), usual_spacing(curve.length()));
+  spacing.low = 0;
+  return {curve_choice_number("array_places", translatable("Places"),
+                              {translatable("By count"), translatable("By spacing")}, 0),
+          count_of_places(usual_count),
+          spacing,
+          curve_choice_number(
+              "array_turning", translatable("Turning"),
+              {translatable("With the curve"), translatable("Upright"), translatable("Not turned")}, 0),
+          distance_number("array_offset", translatable("Offset"), 0),
+          curve_choice_number("array_begin", translatable("First place"),
+                              {translatable("As it stands"), translatable("On the curve")}, 0),
+          curve_choice_number("array_direction", translatable("Direction"),
+                              {translatable("Forward"), translatable("Backward")}, nearer_to_end ? 1 : 0)};
+}
+
+void make_along_curve(Editor& editor) {
+  const auto choice = chosen_curve(editor);
+  if (!choice) return editor.notify(choice.error());
+  const auto found = curve_of_choice(editor, *choice);
+  if (!found) return editor.notify(found.error());
+  const auto curve = ArcLengthCurve::make(found->pieces, found->closed);
+  if (!curve) return editor.notify(curve.error());
+  run_on_chosen(editor, along_step,
+                numbers_along(*curve, middle_of_objects(editor.document(), choice->copied)),
+                along_chosen_curve(*choice), written_along);
+}
+
+void make_along_as_written(Editor& editor, const Arguments& given) {
+  if (given.has("count") == given.has("spacing"))
+    return editor.notify(
+        make_error(e_argument, "The places are given by \"count\" or by \"spacing\".", "Write one of them."));
+  const auto choice = chosen_curve(editor);
+  if (!choice) return editor.notify(choice.error());
+  const auto curve = curve_of_choice(editor, *choice);
+  if (!curve) return editor.notify(curve.error());
+  CurveLayout layout;
+  if (given.has("count")) layout.count = given.whole("count");
+  if (given.has("spacing")) layout.spacing = given.number("spacing");
+  layout.turning =
+      CurveTurning(std::find(std::begin(turning_words), std::end(turning_words), given.text("turning")) -
+                   std::begin(turning_words));
+  layout.offset = given.number("offset");
+  make_copies(editor,
+              arrayed_along(editor.history.current(), choice->copied, *curve, layout, given.on("on_curve"),
+                            given.on("backward")),
+              choice->copied, along_step);
+}
+
+ScriptUse along_in_scripts(Editor& editor) {
+  ScriptUse use;
+  use.arguments = {
+      optional(whole_argument("count", translatable("Total count"), {}, least_places, most_places)),
+      optional(length_argument("spacing", translatable("Spacing"), {}, 0)),
+      word_argument("turning", translatable("Turning"), {std::begin(turning_words), std::end(turning_words)},
+                    turning_words[0]),
+      length_argument("offset", translatable("Offset"), 0),
+      on_off_argument("on_curve", translatable("On the curve"), false),
+      on_off_argument("backward", translatable("Backward"), false)};
+  use.run = [&editor](const Arguments& given) { make_along_as_written(editor, given); };
+  use.looks_at_surfaces = true;
+  return use;
+}
+
+}  // namespace
+
+void add_curve_array_command(CommandHost& host) {
+  Editor& editor = host.editor;
+  host.table.add({.id = "object.array_curve",
+                  .menu = arrange_menu(),
+                  .label = "Array along a curve\u2026",
+                  .help = "Copies of the chosen objects along selected edges, the path of a skin or an "
+                          "outline; count, spacing and turning can be changed right afterwards.",
+                  .changes_document = true,
+                  .run = [&editor] { make_along_curve(editor); },
+                  .why_not = [&editor, object = needs_object(editor)]() -> Reason {
+                    if (auto reason = object()) return reason;
+                    const auto choice = chosen_curve(editor);
+                    return choice ? Reason() : Reason(choice.error().text);
+                  },
+                  .contexts = Context::object,
+                  .script = along_in_scripts(editor)});
+}
+
+}  // namespace hariko
