@@ -15,7 +15,7 @@ inline bool is_small(PixelSize size) {
   return std::int64_t(size.width) * size.height <= most_fuzzed_pixels;
 }
 
-/// What the header says is what is decoded, with all smaller versions.
+/// Checks that the decoded size is that of the header, with all smaller versions.
 inline void check_reference(std::string_view file) {
   const auto size = reference_size(file);
   if (!size.ok()) return check(size.error(), Severity::error);

@@ -71,7 +71,7 @@ std::vector<OperationNumber> fit_numbers() {
   return {{"steps", translatable("Steps"), double(FitOptions{}.steps), 1, max_fit_steps, true}};
 }
 
-/// What a fit brought, in lengths of the document.
+/// Notice with the distances before and after a fit, in lengths of the document.
 void say_fit(Editor& editor, const ReferenceFit& fit, double scale) {
   const auto length = [&](double in_object) {
     return format_quantity(measured_length(editor.document().unit, scale * in_object), scale * in_object);

@@ -1,6 +1,6 @@
 #pragma once
 
-// What the commands share that make copies of whole objects and let their numbers be changed right
+// Helpers of the commands that make copies of whole objects and let their numbers be changed right
 // afterwards.
 
 #include <functional>
