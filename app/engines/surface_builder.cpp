@@ -98,6 +98,7 @@ SurfaceView SurfaceBuilder::build(const std::shared_ptr<const Object>& object,
     take_mesh(*object, surroundings, fresh, view, cancel);
     if (!view.mesh) return view;  // cancelled
     view.surface = last_.surface;
+    view.provisional = last_.provisional;
     if (const CombSettings& combs = object->display.combs; combs.shown) {
       if (!combs_ || combs_->density != combs.density)
         combs_ = comb_lines(curvature_combs(last_.surface, combs.density, cancel), last_.surface.origin());

@@ -15,23 +15,21 @@ namespace hariko {
 
 namespace {
 
-constexpr double drag_tolerance = 1e-6;  ///< tolerance of the fairness solve when tensions change in a drag
-/// Distance, relative to the object's size, below which a drag leaves patches as they are.
-constexpr double drag_negligible = 1e-10;
+constexpr double drag_tolerance = 1e-6;    ///< tolerance of the fairness solve when tensions change in a drag
+constexpr double drag_negligible = 1e-10;  ///< movement of patches that is ignored, relative to the size
 /// Number of half-edges up to which metric frames follow a drag: such a surface is rebuilt within a frame's
 /// time.
 constexpr Index largest_live_frames = 1000;
 
 std::optional<Message> check_sides(const Polyhedron& polyhedron, Mode mode) {
-  const bool fair = mode == Mode::fair;
-  const Index limit = largest_fair_side_count;
   for (Index f = 0; f < polyhedron.face_count(); ++f) {
     const Index sides = polyhedron.topology().side_count(f);
-    if (sides <= limit) continue;
+    if (sides <= largest_fair_side_count) continue;
     const FaceId id = polyhedron.face_id(f);
     return make_error(e_too_many_sides,
                       "Face " + std::to_string(id.value) + " has " + std::to_string(sides) + " sides; mode " +
-                          (fair ? "FAIR" : "G2") + " takes " + std::to_string(limit) + " at the most.",
+                          (mode == Mode::fair ? "FAIR" : "G2") + " takes " +
+                          std::to_string(largest_fair_side_count) + " at the most.",
                       "Split the face, or use mode TARGET.", element_of(id));
   }
   return std::nullopt;
@@ -139,6 +137,11 @@ struct PolyhedronSurfacer::State {
   std::optional<G2DragResponse> g2_response;
   std::uint64_t revision = 0;
 
+  /// Whether metric frames and target curvatures stay as they are while the object is dragged.
+  static bool holds_frames(const PolyhedronSurfaceInput& input) {
+    return input.mode == Mode::g2 || (frames_in(input.mode, input.frames) == Frames::metric &&
+                                      input.polyhedron.topology().half_edge_count() > largest_live_frames);
+  }
   std::optional<Message> prepare(const PolyhedronSurfaceInput& input, Quality quality);
   Result<NetworkSystem> assemble(const PolyhedronSurfaceInput& input) const;
   /// Solves the network, and the coefficients of the joins.
@@ -182,10 +185,8 @@ std::optional<Message> PolyhedronSurfacer::State::prepare(const PolyhedronSurfac
   const bool metric = frames == Frames::metric;
   const bool same_structure = same_mesh && same_names && system && system->mode == input.mode &&
                               system->network.frames().charts.frames == frames && joins.same_structure(*plan);
-  const bool large =
-      input.mode == Mode::g2 || input.polyhedron.topology().half_edge_count() > largest_live_frames;
-  const bool frozen = quality == Quality::drag && large;
-  const bool same_charts = !metric || frozen || plan->polyhedron().positions() == charted;
+  const bool same_charts = !metric || (quality == Quality::drag && holds_frames(input)) ||
+                           plan->polyhedron().positions() == charted;
   const bool same = same_structure && same_charts && shaping == input.shaping;
   const bool same_but_pins = same_structure && !metric && equal_but_pins(shaping, input.shaping);
   joins = std::move(plan).value();
@@ -213,8 +214,8 @@ std::optional<Message> PolyhedronSurfacer::State::prepare(const PolyhedronSurfac
   system =
       SurfaceSystem{mesh, std::move(network).value(), {}, input.mode, nullptr, nullptr, joins.smooth_sides()};
   system->constants = patch_constants(*mesh, system->network.frames());
-  const bool fair = input.mode == Mode::fair || input.mode == Mode::g2;
-  if (fair) system->rims = clamped_boundary_edges(input.polyhedron, input.shaping);
+  if (input.mode == Mode::fair || input.mode == Mode::g2)
+    system->rims = clamped_boundary_edges(input.polyhedron, input.shaping);
   if (input.mode == Mode::fair) make_fair();
   if (input.mode == Mode::g2) {
     system->g2 = std::make_unique<G2System>(mesh, system->network, G2Weights{}, given_ribbons(joins));
@@ -324,6 +325,7 @@ std::optional<PolyhedronSurface> PolyhedronSurfacer::State::drag(const Polyhedro
   out.base_revision = base->revision;
   out.changed = std::move(changed);
   out.settled = settled;
+  out.provisional = holds_frames(input);
   out.joins = base->coefficients;
   return out;
 }
@@ -468,6 +470,7 @@ Result<PolyhedronSurface> PolyhedronSurfacer::State::solve(const PolyhedronSurfa
     response.reset();
     g2_response.reset();
   }
+  out.provisional = warm && holds_frames(input);
   out.network = std::move(network);
   return out;
 }

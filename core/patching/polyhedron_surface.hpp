@@ -77,6 +77,9 @@ struct PolyhedronSurface {
   /// False in the first frames of a drag: the response to the move is not solved completely, and the next
   /// calls with quality `drag` continue it. The surface is smooth, but off by some 1e-4 of the move.
   bool settled = true;
+  /// Whether frames or target curvatures are those of the last `final` result: the `final` surface of the
+  /// same input differs by the effect of their change.
+  bool provisional = false;
 };
 
 /// Producer of one object's surfaces. Keeps data that depends on connectivity and tensions only (assembled

@@ -6,7 +6,10 @@
 #include <chrono>
 #include <thread>
 
+#include "app/engines/surface_builder.hpp"
 #include "core/document/edits/edits.hpp"
+#include "core/patching/compare_surfaces.hpp"
+#include "tests/support/random_polyhedra.hpp"
 
 namespace hariko {
 namespace {
@@ -16,24 +19,27 @@ using namespace std::chrono_literals;
 /// What fake builders saw and are told to do; shared with the worker, hence atomics.
 struct Script {
   std::atomic<int> builds = 0, drag_builds = 0, running = 0, most_running = 0;
-  std::atomic<bool> fail = false, hold = false, started = false;
+  std::atomic<bool> fail = false, hold = false, started = false, provisional = false;
+  std::atomic<int> builders = 0, last_builder = 0;  ///< number of builders made; the one that dragged last
 };
 
 class FakeBuilder final : public ViewBuilder {
  public:
-  explicit FakeBuilder(std::shared_ptr<Script> script) : script_(std::move(script)) {}
+  explicit FakeBuilder(std::shared_ptr<Script> script)
+      : script_(std::move(script)), number_(++script_->builders) {}
   SurfaceView build(const std::shared_ptr<const Object>& object, const ObjectPointers&,
                     const MapSurroundings&, Quality quality, const CancelToken& cancel) override {
     Script& script = *script_;
     script.most_running = std::max<int>(script.most_running, ++script.running);
     ++script.builds;
-    if (quality == Quality::drag) ++script.drag_builds;
+    if (quality == Quality::drag) ++script.drag_builds, script.last_builder = number_;
     script.started = true;
     while (script.hold && !cancel.cancelled()) std::this_thread::sleep_for(1ms);
     --script.running;
     SurfaceView view;
     view.object = object;
     view.quality = quality;
+    view.provisional = script.provisional && quality == Quality::drag;
     view.milliseconds = object->polyhedron()->polyhedron.position(0).x();  // tells views apart
     if (script.fail) view.error = make_error(Code{"E_FAKE"}, "It failed.");
     return view;
@@ -46,6 +52,7 @@ class FakeBuilder final : public ViewBuilder {
 
  private:
   std::shared_ptr<Script> script_;
+  int number_;
 };
 
 Document triangle_document() {
@@ -147,6 +154,146 @@ TEST(RebuildEngine, RestingGestureIsRefinedAndCancelsForTheNextMove) {
   rig.settle();
   ASSERT_EQ(rig.published.size(), 1U);
   EXPECT_EQ(rig.published[0], std::pair(4.0, Quality::drag));
+}
+
+TEST(RebuildEngine, ProvisionalSurfacesAreFinishedWhileTheGestureRests) {
+  EngineRig rig;
+  rig.script->provisional = true;
+  const Document document = triangle_document();
+  rig.engine.sync(document, false, 0);
+  rig.settle();
+  rig.published.clear();
+  const Document dragged = moved(document, 3);
+  rig.engine.sync(dragged, true, 1);
+  rig.settle();
+  rig.engine.sync(dragged, true, 1.1);  // long before `rest_seconds`
+  rig.settle();
+  ASSERT_EQ(rig.published.size(), 2U);
+  EXPECT_EQ(rig.published[0], std::pair(3.0, Quality::drag));
+  EXPECT_EQ(rig.published[1], std::pair(3.0, Quality::final));
+  for (const double now : {1.2, 2.0, 3.0}) {
+    rig.engine.sync(dragged, now < 3, now);
+    rig.settle();
+  }
+  EXPECT_EQ(rig.published.size(), 2U) << "the final surface is made once";
+}
+
+TEST(RebuildEngine, SurfacesMadeBesideAGestureCarryItOn) {
+  EngineRig rig;
+  rig.script->provisional = true;
+  const Document document = triangle_document();
+  rig.engine.sync(document, false, 0);
+  rig.settle();
+  rig.engine.sync(moved(document, 1), true, 1);
+  rig.settle();
+  rig.published.clear();
+  EXPECT_EQ(rig.script->last_builder, 1);
+  rig.script->hold = true;
+  rig.script->started = false;
+  rig.engine.sync(moved(document, 1), true, 1.1);
+  while (!rig.script->started) std::this_thread::sleep_for(1ms);
+  rig.engine.sync(moved(document, 2), true, 1.2);
+  rig.script->hold = false;
+  rig.settle();
+  // The surface made beside is of an earlier place, and never shown.
+  ASSERT_EQ(rig.published.size(), 1U);
+  EXPECT_EQ(rig.published[0], std::pair(2.0, Quality::drag));
+  rig.engine.sync(moved(document, 3), true, 1.201);
+  rig.settle();
+  EXPECT_EQ(rig.published.back(), std::pair(3.0, Quality::drag));
+  EXPECT_EQ(rig.script->last_builder, 2) << "its builder makes what follows";
+}
+
+TEST(RebuildEngine, TheEndOfAGestureWaitsForTheSurfaceInTheMaking) {
+  EngineRig rig;
+  rig.script->provisional = true;
+  const Document document = triangle_document();
+  rig.engine.sync(document, false, 0);
+  rig.settle();
+  const Document dragged = moved(document, 3);
+  rig.engine.sync(dragged, true, 1);
+  rig.settle();
+  rig.published.clear();
+  rig.script->hold = true;
+  rig.script->started = false;
+  rig.engine.sync(dragged, true, 1.1);
+  while (!rig.script->started) std::this_thread::sleep_for(1ms);
+  const int builds = rig.script->builds;
+  rig.engine.sync(dragged, false, 1.2);
+  EXPECT_TRUE(rig.engine.any_pending());
+  rig.script->hold = false;
+  rig.settle();
+  EXPECT_FALSE(rig.engine.any_pending());
+  EXPECT_EQ(rig.script->builds, builds);
+  ASSERT_EQ(rig.published.size(), 1U);
+  EXPECT_EQ(rig.published[0], std::pair(3.0, Quality::final));
+}
+
+TEST(RebuildEngine, AGestureTakenBackDropsTheSurfaceInTheMaking) {
+  EngineRig rig;
+  rig.script->provisional = true;
+  const Document document = triangle_document();
+  rig.engine.sync(document, false, 0);
+  rig.settle();
+  rig.engine.sync(moved(document, 3), true, 1);
+  rig.settle();
+  rig.published.clear();
+  rig.script->hold = true;
+  rig.script->started = false;
+  rig.engine.sync(moved(document, 3), true, 1.1);
+  while (!rig.script->started) std::this_thread::sleep_for(1ms);
+  rig.engine.sync(document, false, 1.2);
+  rig.script->hold = false;
+  rig.settle();
+  ASSERT_EQ(rig.published.size(), 1U);
+  EXPECT_EQ(rig.published[0],
+            std::pair(document.objects[0]->polyhedron()->polyhedron.position(0).x(), Quality::final));
+}
+
+/// Distance between the surface of the last drag frame and the final one, relative to the size, after a
+/// vertex of a torus was moved by a tenth of the size in `steps` steps; the pointer rests at each for `rest`
+/// seconds.
+double end_of_drag(Mode mode, int columns, int rows, int steps, double rest) {
+  auto made = document_from_mesh(test::torus(columns, rows), "torus");
+  EXPECT_TRUE(made.ok());
+  Document document = made.value();
+  const ObjectId id = document.objects[0]->id;
+  document = set_mode(set_frames(document, id, Frames::metric).value(), id, mode).value();
+  RebuildEngine engine([] { return std::make_unique<SurfaceBuilder>(); }, {});
+  const auto settle = [&] {
+    do engine.wait();
+    while (engine.publish() > 0);
+  };
+  double now = 0;
+  engine.sync(document, false, now);
+  settle();
+  const VertexId vertex{0};
+  const Vector3 from = document.objects[0]->polyhedron()->polyhedron.position(0);
+  for (int k = 1; k <= steps; ++k) {
+    const Vector3 to = from + 0.6 * double(k) / steps * Vector3(0.8, 0, 0.6);
+    document = move_vertices(document, id, {&vertex, 1}, {&to, 1}).value();
+    engine.sync(document, true, now += 1);
+    settle();
+    if (k == steps) break;
+    engine.sync(document, true, now += rest);
+    settle();
+  }
+  EXPECT_EQ(engine.views().at(id).quality, Quality::drag);
+  const Surface dragged = engine.views().at(id).surface;
+  engine.sync(document, false, now += 0.001);
+  settle();
+  EXPECT_EQ(engine.views().at(id).quality, Quality::final);
+  return compare_surfaces(dragged, engine.views().at(id).surface).largest_distance.value();
+}
+
+TEST(RebuildEngine, DragsEndNearTheFinalSurface) {
+  for (const auto& [mode, columns, rows] : {std::tuple(Mode::fair, 24, 12), std::tuple(Mode::g2, 12, 8)}) {
+    const double followed = end_of_drag(mode, columns, rows, 20, 0.1);
+    const double without = end_of_drag(mode, columns, rows, 1, 0);
+    RecordProperty(std::string("of_mode_") + std::to_string(int(mode)), std::to_string(followed));
+    EXPECT_LT(followed, 0.002) << "for " << without << " in one step";
+    EXPECT_LT(followed, without);
+  }
 }
 
 TEST(RebuildEngine, FailureKeepsTheLastGoodSurfaceAndSaysWhy) {

@@ -23,6 +23,9 @@ struct SurfaceView {
   /// The object this was made from, or failed for.
   std::shared_ptr<const Object> object;
   Quality quality = Quality::final;
+  /// Whether the final surface of the same object differs by more than rounding, because something stays
+  /// fixed during gestures.
+  bool provisional = false;
 
   Surface surface;                          ///< of the last good rebuild
   std::shared_ptr<const DisplayMesh> mesh;  ///< of the last good rebuild; null before the first
