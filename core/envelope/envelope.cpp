@@ -177,6 +177,10 @@ Result<EnvelopeSurface> EnvelopeSurfacer::rebuild(const EnvelopeInput& input, Qu
   if (quality == Quality::drag) return out;
   add_file_warnings(input.settings, out.warnings);
   add_hull_warnings(input, out.warnings);
+  const auto has_pulls = [](const Solid& solid) { return !solid.pulls.empty(); };
+  if (network && std::ranges::any_of(input.solids, has_pulls))
+    out.warnings.push_back(make_warning(w_pulls_unused, "The network of curves does not follow the pulls.",
+                                        "Choose the method \"ball\", or remove the pulls."));
   add_warnings(network, out);
   return out;
 }

@@ -26,6 +26,8 @@ inline constexpr Code w_not_symmetric{"W_NOT_SYMMETRIC"};
 inline constexpr Code w_envelope_coarse{"W_ENVELOPE_COARSE"};
 /// Warning: another method made the surface before, or settings of the file are obsolete.
 inline constexpr Code w_envelope_method{"W_ENVELOPE_METHOD"};
+/// Warning: places where the surface was pulled mean nothing to method `network`.
+inline constexpr Code w_pulls_unused{"W_PULLS_UNUSED"};
 /// Warning: the rounding is too small for the size of the solids and was raised.
 inline constexpr Code w_rounding_raised{"W_ROUNDING_RAISED"};
 
@@ -55,7 +57,8 @@ class EnvelopeSurfacer {
  public:
   /// Makes the surface. Errors: those of `check_envelope`; E_ENVELOPE_FLAT, E_CANCELLED. Warnings:
   /// W_NOT_ENCLOSED, W_ENVELOPE_FOLD, W_ENVELOPE_CROSSING, W_SOLID_HULL (a polyhedron with points inside its
-  /// hull), W_NOT_SYMMETRIC, W_ENVELOPE_COARSE, W_ENVELOPE_METHOD, W_ROUNDING_RAISED.
+  /// hull), W_NOT_SYMMETRIC, W_ENVELOPE_COARSE, W_ENVELOPE_METHOD, W_ROUNDING_RAISED,
+  /// W_PULLS_UNUSED.
   Result<EnvelopeSurface> rebuild(const EnvelopeInput& input, Quality quality = Quality::final,
                                   const CancelToken& cancel = {});
 

@@ -31,6 +31,17 @@ bool same(const SolidShape& a, const SolidShape& b) {
   return lies_on(a, b) && lies_on(b, a);
 }
 
+/// Gives a solid the pulls of another one of the same form and place, unless it has them.
+void add_pulls(Solid& solid, const Solid& from, double reach) {
+  for (const Pull& pull : from.pulls) {
+    const Vector3 at = placed(from, pull.place);
+    const bool known = std::ranges::any_of(solid.pulls, [&](const Pull& own) {
+      return (placed(solid, own.place) - at).norm() <= nearly * reach;
+    });
+    if (!known) solid.pulls.push_back({own_place(solid, at), pull.radius});
+  }
+}
+
 void add_images(EnvelopedScene& scene) {
   const std::vector<Solid> authored = scene.input.solids;
   std::vector<SolidShape> shapes;
@@ -47,6 +58,9 @@ void add_images(EnvelopedScene& scene) {
       ++other;
     if (other < authored.size()) {
       paired[other] = 1;
+      std::vector<Solid>& solids = scene.input.solids;
+      add_pulls(solids[other], image, shape.reach());
+      if (other != k) add_pulls(solids[k], reflected(authored[other], *scene.mirror), shape.reach());
     } else {
       scene.input.solids.push_back(image);
       scene.image_of.push_back(k);
@@ -65,6 +79,7 @@ Solid reflected(const Solid& solid, Eigen::Index axis) {
                  : axis == 1 ? Vector3(-r.x(), r.y(), -r.z())
                              : Vector3(180 - r.x(), -r.y(), r.z());
   for (Vector3& p : out.points) p.y() = -p.y();
+  for (Pull& pull : out.pulls) pull.place.y() = -pull.place.y();
   return out;
 }
 

@@ -35,6 +35,7 @@ class SolidCheck {
     if (solid_.roundness && !(*solid_.roundness > 0 && *solid_.roundness <= 1))
       fail(e_envelope_setting, "roundness must be above 0 and at most 1", "Choose a value such as 0.35.");
     if (solid_.bridge && solid_.bridge->ball_radius) length(*solid_.bridge->ball_radius, "ball_radius");
+    if (!error_) pulls();
     if (error_) return *error_;
     return Done{};
   }
@@ -102,6 +103,20 @@ class SolidCheck {
     const double least = symmetric_axes(spread).values[0];
     if (!(std::sqrt(std::max(least, 0.0)) > 1e-9))
       fail(e_solid_flat, name + " lie in a plane", "Move one of them out of the plane.");
+  }
+
+  void pulls() {
+    if (solid_.pulls.size() > max_pulls)
+      fail(e_solid_pull, "the surface can be pulled at " + std::to_string(max_pulls) + " places at the most",
+           "Remove some of its pulls.");
+    const Eigen::AlignedBox3d box = box_of(solid_);
+    for (const Pull& pull : solid_.pulls) {
+      length(pull.radius, "radius of a pull");
+      const Vector3 at = placed(solid_, pull.place);
+      if (!((at - box.center()).norm() <= farthest_pull * box.diagonal().norm()))
+        fail(e_solid_pull, "a pull is farther away than twice the solid's size",
+             "Pull less far, or place another solid there.");
+    }
   }
 
   const Solid& solid_;
@@ -179,6 +194,14 @@ Eigen::AlignedBox3d box_of(const Solid& solid) {
     out.extend(Vector3(solid.position + rotation * corner.cwiseProduct(solid.scale)));
   }
   return out;
+}
+
+Vector3 placed(const Solid& solid, const Vector3& own) {
+  return solid.position + solid_rotation(solid.rotation) * own.cwiseProduct(solid.scale);
+}
+
+Vector3 own_place(const Solid& solid, const Vector3& point) {
+  return (solid_rotation(solid.rotation).transpose() * (point - solid.position)).cwiseQuotient(solid.scale);
 }
 
 Matrix3 solid_rotation(const Vector3& degrees) {

@@ -26,6 +26,7 @@ inline constexpr Code e_solid_points{"E_SOLID_POINTS"};
 inline constexpr Code e_solid_flat{"E_SOLID_FLAT"};
 inline constexpr Code e_solid_place{"E_SOLID_PLACE"};
 inline constexpr Code e_envelope_setting{"E_ENVELOPE_SETTING"};
+inline constexpr Code e_solid_pull{"E_SOLID_PULL"};
 
 enum class SolidKind : std::uint8_t {
   box,
@@ -58,6 +59,14 @@ struct Bridge {
   friend bool operator==(const Bridge&, const Bridge&) = default;
 };
 
+/// Place through which the surface of method `ball` is pulled by hand, outwards or inwards. It moves with its
+/// solid.
+struct Pull {
+  Vector3 place = Vector3::Zero();  ///< in the solid's own axes, before its scale
+  double radius = 1;  ///< length, > 0: the surface is changed this far about the place, or farther
+  friend bool operator==(const Pull&, const Pull&) = default;
+};
+
 /// One solid. The kind determines which sizes are used; the others are kept. The axis of round solids is
 /// their z; a cone or pyramid has its centroid, which is a quarter of the height above the base, at
 /// `position`.
@@ -77,6 +86,7 @@ struct Solid {
   std::optional<double> roundness = {};
   std::uint32_t id = 0;  ///< stable id within the envelope, unique
   std::optional<Bridge> bridge = {};
+  std::vector<Pull> pulls = {};
 
   friend bool operator==(const Solid&, const Solid&) = default;
 };
@@ -114,6 +124,9 @@ struct EnvelopeInput {
 inline constexpr std::size_t max_solids = 200;
 inline constexpr std::size_t max_solid_points = 2000;
 inline constexpr std::uint32_t max_solid_sides = 64;
+inline constexpr std::size_t max_pulls = 32;  ///< of one solid
+/// Largest distance of a pull from the middle of its solid, relative to the solid's diagonal.
+inline constexpr double farthest_pull = 2;
 
 /// Name of a kind: "box", "sphere", ...
 inline std::string_view name_of(SolidKind kind) {
@@ -127,13 +140,17 @@ inline std::optional<SolidKind> solid_kind_named(std::string_view name) {
 /// Checks solids and settings. Errors name the solid by its index in the list (from 0, the element is an
 /// object with that number) and the field: E_NO_SOLIDS, E_TOO_MANY_SOLIDS, E_SOLID_SIZE (not positive or not
 /// finite), E_SOLID_SIDES, E_SOLID_TUBE (tube >= radius), E_SOLID_POINTS (fewer than four, not finite),
-/// E_SOLID_FLAT, E_SOLID_PLACE (position or rotation not finite), E_ENVELOPE_SETTING.
+/// E_SOLID_FLAT, E_SOLID_PLACE (position or rotation not finite), E_SOLID_PULL, E_ENVELOPE_SETTING.
 Result<Done> check_envelope(const EnvelopeInput& input);
 /// Checks one solid, which has number `index` in a list.
 Result<Done> check_solid(const Solid& solid, std::size_t index);
 
 /// Bounding box of the placed solid along the axes; not the smallest one for rotated round solids.
 Eigen::AlignedBox3d box_of(const Solid& solid);
+
+/// Point of a solid's own axes, before its scale, where the solid stands, and the reverse.
+Vector3 placed(const Solid& solid, const Vector3& own);
+Vector3 own_place(const Solid& solid, const Vector3& point);
 
 /// Rotation matrix Rz Ry Rx of angles in degrees.
 Matrix3 solid_rotation(const Vector3& degrees);

@@ -24,23 +24,6 @@ Solid option_box(const Vector3& size, const Vector3& at = Vector3::Zero(), std::
   return out;
 }
 
-EnvelopeInput option_scene(std::vector<Solid> solids, double rounding, double radius) {
-  EnvelopeInput out{std::move(solids), {}};
-  out.settings.method = EnvelopeMethod::ball;
-  out.settings.rounding = rounding;
-  out.settings.ball_radius = radius;
-  return out;
-}
-
-BallEnvelope option_ball(const EnvelopeInput& input) {
-  const EnvelopedScene scene = enveloped_scene(input);
-  auto made =
-      ball_envelope(scene.input.solids, ball_settings(input.settings, solids_size(scene.input.solids)),
-                    scene.origin, scene.mirror, Quality::final);
-  if (!made) ADD_FAILURE() << "there is no surface";
-  return made ? *std::move(made) : BallEnvelope{};
-}
-
 EnclosureReport option_judged(const EnvelopeInput& input, const EnvelopeSurface& made) {
   std::vector<SolidShape> shapes;
   for (const Solid& solid : input.solids) shapes.emplace_back(solid, made.origin);
@@ -70,7 +53,7 @@ EnvelopeInput bridged_scene(double ball, std::optional<double> own) {
   Solid bar = bridge_between(a, b, 0.15);
   bar.id = 9;
   bar.bridge->ball_radius = own;
-  return option_scene({a, b, bar, option_box({1, 1, 1}, {-0.8, 0, 1.9}, 11)}, 0.04, ball);
+  return ball_scene({a, b, bar, option_box({1, 1, 1}, {-0.8, 0, 1.9}, 11)}, 0.04, ball);
 }
 
 double field_at(const EnvelopeInput& input, const Vector3& at) {
@@ -102,11 +85,11 @@ TEST(OnTheFaces, FlatFacesLieOnThoseOfTheSolids) {
   for (const double clearance : {0.0, 0.05})
     for (const bool round : {false, true}) {
       EnvelopeInput input =
-          option_scene({option_box({1.6, 1.2, 1}), option_box({1, 1.2, 1}, {1.3, 0, 0.3}, 1)}, sigma, 0.3);
+          ball_scene({option_box({1.6, 1.2, 1}), option_box({1, 1.2, 1}, {1.3, 0, 0.3}, 1)}, sigma, 0.3);
       input.settings.clearance = clearance;
       input.settings.on_faces = true;
       if (round) input.solids[0].roundness = 0.2;
-      const BallEnvelope made = option_ball(input);
+      const BallEnvelope made = made_ball(input);
       // Above the first box, away from its edges and from the other one.
       const double away = round ? 0.3 : 6 * sigma;
       std::size_t seen = 0;
@@ -134,10 +117,10 @@ TEST(OnTheFaces, FacesOfAllKindsLieOnTheSurface) {
     if (kind == SolidKind::polyhedron)
       for (int i = 0; i < 8; ++i)
         solid.points.push_back(0.5 * Vector3(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1));
-    EnvelopeInput input = option_scene({solid}, sigma, 0.3);
+    EnvelopeInput input = ball_scene({solid}, sigma, 0.3);
     input.settings.on_faces = true;
     const EnvelopedScene scene = enveloped_scene(input);
-    const BallEnvelope made = option_ball(input);
+    const BallEnvelope made = made_ball(input);
     const SolidShape shape(solid, scene.origin);
     ASSERT_FALSE(shape.face_middles().empty());
     for (const Vector3& middle : shape.face_middles()) {
@@ -170,7 +153,7 @@ TEST(OnTheFaces, WhatSticksOutIsWhatTheJudgeFinds) {
 
 TEST(OnTheFaces, EdgesOfABoxStickOutByTheRounding) {
   const double sigma = 0.03;
-  EnvelopeInput input = option_scene({option_box({1, 1, 1})}, sigma, 0.3);
+  EnvelopeInput input = ball_scene({option_box({1, 1, 1})}, sigma, 0.3);
   input.settings.on_faces = true;
   const Vector3 diagonal = Vector3(1, 1, 0).normalized();
   double low = 0, high = 1;
@@ -181,21 +164,21 @@ TEST(OnTheFaces, EdgesOfABoxStickOutByTheRounding) {
   // The mean of a quarter space's distance under a Gaussian of width 1 is zero 0.808 inside of the edge.
   EXPECT_NEAR((std::sqrt(0.5) - low) / sigma, 0.808, 0.02);
   // Corners do most.
-  EXPECT_NEAR(option_ball(input).sticks_out / sigma, 1.46, 0.05);
+  EXPECT_NEAR(made_ball(input).sticks_out / sigma, 1.46, 0.05);
 }
 
 TEST(OnTheFaces, ABallTouchesItsOwnSurface) {
   Solid ball = option_box({1, 1, 1});
   ball.kind = SolidKind::sphere;
-  EnvelopeInput input = option_scene({ball}, 0.03, 0.3);
+  EnvelopeInput input = ball_scene({ball}, 0.03, 0.3);
   input.settings.on_faces = true;
-  for (const Vector3& p : samples_of(option_ball(input).surface)) EXPECT_NEAR(p.norm(), 0.5, 0.02 * 0.03);
+  for (const Vector3& p : samples_of(made_ball(input).surface)) EXPECT_NEAR(p.norm(), 0.5, 0.02 * 0.03);
 }
 
 TEST(OnTheFaces, ThinSolidsDoNotVanish) {
   // A sheet half as thick as the kernel is wide, and a needle: means of their distances are positive.
   for (const Vector3& size : {Vector3(2, 1.5, 0.02), Vector3(2, 0.02, 0.02)}) {
-    EnvelopeInput input = option_scene({option_box(size)}, 0.04, 0.3);
+    EnvelopeInput input = ball_scene({option_box(size)}, 0.04, 0.3);
     input.settings.on_faces = true;
     const EnvelopeSurface made = envelope_of(input);
     EXPECT_GT(made.surface.patch_count(), 0U);
@@ -210,7 +193,7 @@ TEST(OnTheFaces, ThinSolidsDoNotVanish) {
 }
 
 TEST(OnTheFaces, EnclosingStaysTheDefault) {
-  const EnvelopeInput input = option_scene({option_box({1, 1, 1})}, 0.03, 0.3);
+  const EnvelopeInput input = ball_scene({option_box({1, 1, 1})}, 0.03, 0.3);
   EXPECT_FALSE(input.settings.on_faces);
   const EnvelopeSurface made = envelope_of(input);
   EXPECT_TRUE(made.enclosed);
@@ -222,9 +205,9 @@ TEST(FinerPatches, AreMoreAndNearerToTheSameShape) {
     EnvelopeInput input = golden_scene(name);
     choose_ball(input);
     input.settings.rounding = 0.035 * solids_size(input.solids);
-    const BallEnvelope usual = option_ball(input);
+    const BallEnvelope usual = made_ball(input);
     input.settings.finer_patches = true;
-    const BallEnvelope finer = option_ball(input);
+    const BallEnvelope finer = made_ball(input);
     const double patches = double(finer.surface.patch_count()) / double(usual.surface.patch_count());
     EXPECT_GE(patches, 1.6) << name;
     EXPECT_LE(patches, 2.6) << name;

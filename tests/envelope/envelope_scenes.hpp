@@ -10,7 +10,10 @@
 #include <string>
 
 #include "core/document/format/read_solids.hpp"
+#include "core/envelope/ball/ball_envelope.hpp"
+#include "core/envelope/ball/tightness.hpp"
 #include "core/envelope/envelope.hpp"
+#include "core/envelope/scene_symmetry.hpp"
 #include "tests/support/places.hpp"
 #include "tests/support/random.hpp"
 
@@ -36,6 +39,25 @@ inline EnvelopeSurface envelope_of(const EnvelopeInput& input) {
   auto made = EnvelopeSurfacer().rebuild(input);
   if (!made) ADD_FAILURE() << to_string(made.error());
   return made ? std::move(made).value() : EnvelopeSurface{};
+}
+
+/// Scene of method `ball`.
+inline EnvelopeInput ball_scene(std::vector<Solid> solids, double rounding, std::optional<double> radius) {
+  EnvelopeInput out{std::move(solids), {}};
+  out.settings.method = EnvelopeMethod::ball;
+  out.settings.rounding = rounding;
+  out.settings.ball_radius = radius;
+  return out;
+}
+
+/// Final envelope of such a scene.
+inline BallEnvelope made_ball(const EnvelopeInput& input) {
+  const EnvelopedScene scene = enveloped_scene(input);
+  auto made =
+      ball_envelope(scene.input.solids, ball_settings(input.settings, solids_size(scene.input.solids)),
+                    scene.origin, scene.mirror, Quality::final);
+  if (!made) ADD_FAILURE() << "there is no surface";
+  return made ? *std::move(made) : BallEnvelope{};
 }
 
 /// 1 .. 20 solids of all kinds, half sizes log-uniform from 0.2 to 1, of which about 70 % touch another one.

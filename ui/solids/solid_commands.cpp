@@ -17,6 +17,7 @@
 #include "ui/editor/placement.hpp"
 #include "ui/solids/new_solids.hpp"
 #include "ui/solids/place_solid_tool.hpp"
+#include "ui/solids/pull_tool.hpp"
 #include "ui/view/viewport.hpp"
 #include "ui/widgets/application_services.hpp"
 
@@ -216,6 +217,42 @@ Reason needs_ball(const Editor& editor, const WhyNot& needs) {
   return translatable("The surface is a network of curves.");
 }
 
+Reason needs_pulls(const Editor& editor, const WhyNot& needs) {
+  if (auto reason = needs_ball(editor, needs)) return reason;
+  const auto has_pulls = [](const Solid& solid) { return !solid.pulls.empty(); };
+  if (std::ranges::any_of(editor.active_object()->solids()->input->solids, has_pulls)) return {};
+  return translatable("The surface is not pulled anywhere.");
+}
+
+/// Removes the pulls of the selected solids, or of all where none is selected.
+void remove_pulls(Editor& editor) {
+  std::vector<std::uint32_t> ids = selected_solids(editor);
+  if (ids.empty())
+    for (const Solid& solid : editor.active_object()->solids()->input->solids) ids.push_back(solid.id);
+  editor.commit(change_solids(editor.history.current(), editor.selection.active, ids,
+                              [](Solid& solid) { solid.pulls.clear(); }),
+                translatable("Remove pulls"));
+}
+
+void add_pull_commands(CommandHost& host) {
+  Editor& editor = host.editor;
+  const WhyNot object = needs_object(editor);
+  host.table.add({.id = "solid.pull",
+                  .menu = "Solids",
+                  .label = "Pull surface",
+                  .help = "Drag the surface outwards or inwards; the place stays with its solid.",
+                  .needs_window = true,
+                  .run = [&host] { host.viewport.start_modal(make_pull_tool()); },
+                  .why_not = [&editor, object] { return needs_ball(editor, object); }});
+  host.table.add({.id = "solid.remove_pulls",
+                  .menu = "Solids",
+                  .label = "Remove pulls",
+                  .help = "The surface of the selected solids, or of all, is no longer pulled by hand.",
+                  .changes_document = true,
+                  .run = [&editor] { remove_pulls(editor); },
+                  .why_not = [&editor, object] { return needs_pulls(editor, object); }});
+}
+
 void add_new_solids(CommandHost& host) {
   Editor& editor = host.editor;
   for (const NewSolid& shape : new_solids())
@@ -286,6 +323,7 @@ void add_solid_commands(CommandHost& host) {
                   .changes_document = true,
                   .run = [&editor] { join(editor); },
                   .why_not = [&editor, object] { return needs_ball(editor, object); }});
+  add_pull_commands(host);
   host.table.add(
       {.id = "solid.to_polyhedron",
        .menu = "Solids",

@@ -34,7 +34,7 @@ Quantity share(double low, double high, double standard) {
 }
 
 Quantity length_of(const PanelContext& context, const Object& object) {
-  const Box3 box = world_box(object);
+  const Box3 box = box_at_own_place(object);
   return length_quantity(context.editor.document().unit, box.isEmpty() ? 1 : box.sizes().maxCoeff());
 }
 
@@ -353,6 +353,27 @@ void bridge_rows(PanelContext& context, const Object& object, const Ids& ids) {
       });
 }
 
+/// Radius of the places at which the surface is pulled by hand.
+void pull_rows(PanelContext& context, const Object& object, const Ids& ids) {
+  std::vector<Solid> solids = solids_of(object, ids);
+  std::erase_if(solids, [](const Solid& solid) { return solid.pulls.empty(); });
+  if (solids.empty() || object.solids()->input->settings.method != EnvelopeMethod::ball) return;
+  Quantity length = length_of(context, object);
+  length.low = 1e-9;
+  std::vector<Pull> pulls;
+  for (const Solid& solid : solids) pulls.insert(pulls.end(), solid.pulls.begin(), solid.pulls.end());
+  value_row(context,
+            {"solid.pull_radius", translatable("Pull radius"),
+             translatable("How far about a pulled place the surface follows, at least"),
+             translatable("Radius of pulls"), length},
+            common<double>(pulls, [](const Pull& pull) { return pull.radius; }),
+            [object = object.id, ids, length](const Document& document, const ValueChange& change) {
+              return change_solids(document, object, ids, [&](Solid& solid) {
+                for (Pull& pull : solid.pulls) pull.radius = change.apply(length, pull.radius);
+              });
+            });
+}
+
 /// How far the ball's surface lies outside; of one solid, as each takes a while.
 void outside_row(PanelContext& context, const Object& object, const Ids& ids) {
   const EnvelopeInput& input = *object.solids()->input;
@@ -385,6 +406,7 @@ void selected_rows(PanelContext& context, const Object& object, const Ids& ids) 
                [](Solid& solid) -> Vector3& { return solid.scale; });
   roundness_rows(context, object, ids);
   bridge_rows(context, object, ids);
+  pull_rows(context, object, ids);
   outside_row(context, object, ids);
 }
 

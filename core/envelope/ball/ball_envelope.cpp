@@ -254,6 +254,7 @@ BallField ball_field(std::span<const Solid> solids, const BallSettings& settings
   request.origin = origin;
   request.mirror = mirror;
   request.own_balls = own_balls(solids, settings.sigma);
+  request.pulls = pulled_places(solids, origin);
   out.field = smoothed_closing(request, &out.lattice, cancel);
   if (!cancel.cancelled())
     out.pinches = close_pinches(out.field, settings.sigma, mirror, mirror ? -origin[*mirror] : 0);

@@ -54,7 +54,18 @@ class Lattice {
         cancel_(cancel),
         spacing_(lattice_spacing(request.sigma, request.passes)),
         balls_(balls_of(request)) {
-    const Eigen::AlignedBox3d& box = request.solids.box();
+    Eigen::AlignedBox3d box = request.solids.box();
+    for (const PulledPlace& pull : request.pulls) {
+      const double way = std::max(0.0, request.solids.nearest(pull.at, request.solids.all()).distance);
+      const double reach = pull_reach(pull.radius, way, request.sigma);
+      const Eigen::AlignedBox3d& solids = request.solids.box();
+      for (Eigen::Index a = 0; a < 3; ++a) {
+        box.max()[a] =
+            std::max(box.max()[a], solids.max()[a] + pulled_over(pull.at[a] - solids.max()[a], way, reach));
+        box.min()[a] =
+            std::min(box.min()[a], solids.min()[a] - pulled_over(solids.min()[a] - pull.at[a], way, reach));
+      }
+    }
     for (Eigen::Index a = 0; a < 3; ++a) {
       double low = box.min()[a] + request.origin[a], high = box.max()[a] + request.origin[a];
       if (request.mirror == a) high = std::max(high, -low), low = -high;
@@ -70,6 +81,7 @@ class Lattice {
   SplineField make(LatticeReport* report) {
     visit(2, [&](std::size_t at, const std::array<int, 3>& n) { evaluate(at, n); });
     improve(2);
+    find_pulled();
     find_slots();
     look_at_own_balls();
     visit(1, [&](std::size_t at, const std::array<int, 3>& n) {
@@ -83,9 +95,9 @@ class Lattice {
     if (!slots_.empty()) average_slots(values);
     for (std::size_t i = 0; i < own.sum.size(); ++i)
       values[i] += (own.sum[i] - own.shares[i] * values[i]) / std::max(1.0, own.shares[i]);
+    if (!request_.pulls.empty()) pull(values);
     if (request_.mirror) even(values);
-    for (int pass = 0; pass < request_.passes; ++pass) smooth(values);
-    return SplineField(point({0, 0, 0}), spacing_, size_, std::move(values));
+    return smoothed(std::move(values));
   }
 
  private:
@@ -157,7 +169,8 @@ class Lattice {
       high = std::min(high, (most_.empty() ? value : most_[m]) + way);
     }
     const bool in_slot = !slots_.empty() && slots_[at] > 0;
-    if (!in_slot && !in_band(low, high)) {
+    const auto [inwards, outwards] = pulled_by(n);
+    if (!in_slot && !in_band(low - outwards, high + inwards)) {
       nodes_[at].value = sum;
       state_[at] = State::between;
       return;
@@ -330,6 +343,45 @@ class Lattice {
     return out;
   }
 
+  SplineField smoothed(std::vector<double> values) const {
+    for (int pass = 0; pass < request_.passes; ++pass) smooth_lattice(size_, values);
+    return SplineField(point({0, 0, 0}), spacing_, size_, std::move(values));
+  }
+
+  /// Finds how far pulls move the surface, from the values at every second node.
+  void find_pulled() {
+    for (const PulledPlace& pull : request_.pulls) {
+      const Vector3 at = (pull.at + request_.origin) / spacing_ - low_;
+      std::array<int, 3> n;
+      for (std::size_t a = 0; a < 3; ++a) n[a] = 2 * int(std::round(0.5 * at[Eigen::Index(a)]));
+      const double value = nodes_[index(n[0], n[1], n[2])].value;
+      ways_.push_back(value + std::copysign(2 * spacing_, value));
+    }
+  }
+
+  /// Largest changes of a node's value by pulls, inwards and outwards.
+  std::pair<double, double> pulled_by(const std::array<int, 3>& n) const {
+    double inwards = 0, outwards = 0;
+    for (std::size_t k = 0; k < ways_.size(); ++k) {
+      const PulledPlace& pull = request_.pulls[k];
+      double& most = ways_[k] < 0 ? inwards : outwards;
+      most = std::max(most, pull_bound(ways_[k], pull_reach(pull.radius, ways_[k], request_.sigma),
+                                       (point(n) - pull.at).norm()));
+    }
+    return {inwards, outwards};
+  }
+
+  /// Moves the surface to the pulled places. Values become no larger than the solids' distances.
+  void pull(std::vector<double>& values) {
+    const std::vector<double> offsets =
+        pull_offsets(smoothed(values), request_.passes, request_.pulls, request_.sigma);
+    visit(1, [&](std::size_t at, const std::array<int, 3>& n) {
+      values[at] -= offsets[at];
+      if (offsets[at] < 0)
+        values[at] = std::min(values[at], request_.solids.nearest(point(n), among()).distance);
+    });
+  }
+
   /// Replaces a node's value and that of its image by the larger one; both are safe.
   void even(std::vector<double>& values) const {
     const auto axis = std::size_t(*request_.mirror);
@@ -341,27 +393,6 @@ class Lattice {
           double &a = values[index(i, j, k)], &b = values[index(n[0], n[1], n[2])];
           a = b = std::max(a, b);
         }
-  }
-
-  /// Applies (1 2 1) / 4 along each axis, with the same sums in either direction.
-  void smooth(std::vector<double>& values) const {
-    const std::array<std::size_t, 3> stride{1, std::size_t(size_[0]),
-                                            std::size_t(size_[0]) * std::size_t(size_[1])};
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const std::size_t s = stride[axis], n = std::size_t(size_[axis]);
-      const std::size_t lines = values.size() / n;
-      parallel_for(lines, 1024, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t line = begin; line < end; ++line) {
-          double* v = values.data() + line / s * s * n + line % s;
-          double before = v[0];
-          for (std::size_t i = 0; i < n; ++i) {
-            const double here = v[i * s], after = v[std::min(i + 1, n - 1) * s];
-            v[i * s] = 0.5 * here + 0.25 * (before + after);
-            before = here;
-          }
-        }
-      });
-    }
   }
 
   const LatticeRequest& request_;
@@ -376,6 +407,7 @@ class Lattice {
   /// Range of all balls' values at coarse nodes; empty if there is only one ball.
   std::vector<double> least_, most_;
   std::vector<double> slots_;  ///< how far nodes lie in a slot; empty without slots
+  std::vector<double> ways_;   ///< of pulls, negative inwards, from the nodes nearest to them
 };
 
 }  // namespace

@@ -6,6 +6,7 @@
 
 #include "core/base/cancellation.hpp"
 #include "core/envelope/ball/closing.hpp"
+#include "core/envelope/ball/pulls.hpp"
 #include "core/envelope/ball/spline_field.hpp"
 
 namespace hariko {
@@ -35,6 +36,7 @@ struct LatticeRequest {
   /// Axis of a symmetry plane: the solids are mirror images of each other.
   std::optional<Eigen::Index> mirror = {};
   std::vector<OwnBall> own_balls = {};
+  std::vector<PulledPlace> pulls = {};  ///< relative to `origin`
 };
 
 /// Numbers of nodes: all, evaluated, and those where one solid alone does not determine the value.

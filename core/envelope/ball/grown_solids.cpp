@@ -124,6 +124,7 @@ double GrowthConstants::of(std::size_t number, const Solid& solid, double sigma,
   Known& known = known_[number];
   Solid unplaced = solid;
   unplaced.position = unplaced.rotation = Vector3::Zero();
+  unplaced.pulls.clear();
   if (known.sigma != sigma || known.on_faces != on_faces || !(known.solid == unplaced)) {
     const double constant = constant_of(unplaced, sigma, on_faces);
     known = {std::move(unplaced), sigma, on_faces, constant};

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/parallel.hpp"
+
 namespace hariko {
 
 namespace {
@@ -126,6 +128,26 @@ void SplineField::lower(const Vector3& at, double by, double radius) {
         const double square = (corner_ + spacing_ * Vector3(i, j, k) - at).squaredNorm() / (radius * radius);
         if (square < 1) weights_[index(i, j, k)] -= by * (1 - square) * (1 - square) * (1 - square);
       }
+}
+
+void smooth_lattice(const std::array<int, 3>& size, std::vector<double>& values) {
+  const std::array<std::size_t, 3> stride{1, std::size_t(size[0]),
+                                          std::size_t(size[0]) * std::size_t(size[1])};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const std::size_t s = stride[axis], n = std::size_t(size[axis]);
+    const std::size_t lines = values.size() / n;
+    parallel_for(lines, 1024, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t line = begin; line < end; ++line) {
+        double* v = values.data() + line / s * s * n + line % s;
+        double before = v[0];
+        for (std::size_t i = 0; i < n; ++i) {
+          const double here = v[i * s], after = v[std::min(i + 1, n - 1) * s];
+          v[i * s] = 0.5 * here + 0.25 * (before + after);
+          before = here;
+        }
+      }
+    });
+  }
 }
 
 LevelCurvature level_curvature(const SplineField& field, const Vector3& point) {

@@ -33,6 +33,10 @@ class SplineField {
 
   /// Coefficient of a node.
   double weight(int i, int j, int k) const { return weights_[index(i, j, k)]; }
+  /// Number of a node among the coefficients.
+  std::size_t index(int i, int j, int k) const {
+    return (std::size_t(k) * std::size_t(size_[1]) + std::size_t(j)) * std::size_t(size_[0]) + std::size_t(i);
+  }
   const Vector3& corner() const { return corner_; }
   double spacing() const { return spacing_; }
   const std::array<int, 3>& size() const { return size_; }
@@ -42,15 +46,16 @@ class SplineField {
   /// each axis.
   template <class Sum>
   Sum sum(const Vector3& point, std::array<double, 3>& share) const;
-  std::size_t index(int i, int j, int k) const {
-    return (std::size_t(k) * std::size_t(size_[1]) + std::size_t(j)) * std::size_t(size_[0]) + std::size_t(i);
-  }
 
   Vector3 corner_ = Vector3::Zero();
   double spacing_ = 1;
   std::array<int, 3> size_{};
   std::vector<double> weights_;
 };
+
+/// Applies (1 2 1) / 4 along each axis to values at the nodes of a lattice, x fastest, with the same sums in
+/// either direction; values continue at the ends. O(nodes).
+void smooth_lattice(const std::array<int, 3>& size, std::vector<double>& values);
 
 /// Curvature of the level surface through a point in tangent directions; negative where it is convex.
 struct LevelCurvature {

@@ -30,7 +30,10 @@ int part_count(const EnvelopeInput& input) {
 
 double solids_size(std::span<const Solid> solids) {
   Eigen::AlignedBox3d box;
-  for (const Solid& solid : solids) box.extend(box_of(solid));
+  for (const Solid& solid : solids) {
+    box.extend(box_of(solid));
+    for (const Pull& pull : solid.pulls) box.extend(placed(solid, pull.place));
+  }
   return box.isEmpty() ? 0 : box.diagonal().norm();
 }
 
