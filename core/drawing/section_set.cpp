@@ -7,7 +7,7 @@
 #include "core/base/assert.hpp"
 #include "core/base/parallel.hpp"
 #include "core/drawing/facet_curves.hpp"
-#include "core/drawing/space_curves.hpp"
+#include "core/drawing/plane_curves.hpp"
 #include "core/surface/patch.hpp"
 
 namespace hariko {
@@ -16,6 +16,8 @@ namespace {
 
 constexpr double page_units = 1200;  ///< size of the surfaces on the page that sets the density of grids
 constexpr std::size_t most_grid_triangles = 2'000'000;
+constexpr double facet_noise = 1e-12, patch_noise = 1e-9;  ///< relative to the size
+constexpr double coordinate_noise = 4e-15;                 ///< relative to the farthest coordinate
 constexpr double same_place = 1e-7;   ///< distance of points that are one, relative to a grid edge
 constexpr double same_tooth = 1e-5;   ///< difference of teeth that are one, relative to their length
 constexpr double least_slope = 1e-6;  ///< sine of the angle between plane and surface where they touch
@@ -119,12 +121,21 @@ void measure_polyline(SectionCurve& curve) {
   }
 }
 
-std::vector<SectionCurve> curves_in_plane(const SurfaceGrid& grid, const SectionPlanes& planes, int number,
-                                          double noise, const CancelToken& cancel) {
+/// Rounding of a surface's positions across planes: how near to a plane they lie in it. Facets are as they
+/// were given; patches were computed.
+double position_noise(const Surface& surface, const Eigen::AlignedBox3d& box) {
+  const double farthest = std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());
+  return std::max((is_facets(surface) ? facet_noise : patch_noise) * box.diagonal().norm(),
+                  coordinate_noise * farthest);
+}
+
+std::vector<SectionCurve> curves_in_plane(const SurfaceGrid& grid, const GridMesh& mesh,
+                                          const SectionPlanes& planes, int number, double noise,
+                                          const CancelToken& cancel) {
   const Eigen::Hyperplane<double, 3> plane(planes.direction, -planes.offset(number));
   const bool facets = is_facets(grid.surface());
   std::vector<SectionCurve> out;
-  for (const std::vector<SurfacePlace>& line : plane_places(grid, plane, noise, cancel)) {
+  for (const PlaceLine& line : plane_places(grid, mesh, plane, noise, cancel)) {
     SectionCurve curve;
     curve.plane = number;
     double edge = 0;
@@ -134,10 +145,7 @@ std::vector<SectionCurve> curves_in_plane(const SurfaceGrid& grid, const Section
                    facets ? Vector3(Vector3::Zero()) : tooth_on_patch(grid, place, planes.direction), edge);
     }
     if (curve.points.size() < 2) continue;
-    // The ends of a closed curve are the same crossing, found from both sides of a seam.
-    constexpr double near = 1e-3;
-    curve.closed =
-        curve.points.size() > 3 && (curve.points.front() - curve.points.back()).norm() < near * edge;
+    curve.closed = is_closed(line);
     if (curve.closed) curve.points.back() = curve.points.front();
     if (facets) measure_polyline(curve);
     out.push_back(std::move(curve));
@@ -213,10 +221,12 @@ Result<SectionSet> section_set(std::span<const DrawnSurface> surfaces, const Sec
     if (surfaces[s].surface.patch_count() == 0) continue;
     if (cancel.cancelled()) break;
     const SurfaceGrid grid(surfaces[s], view, most_grid_triangles / surfaces.size());
+    const GridMesh mesh(grid);
+    const double noise = position_noise(surfaces[s].surface, box);
     std::vector<std::vector<SectionCurve>> found(std::size_t(planes.count));
     parallel_for(found.size(), 1, [&](std::size_t begin, std::size_t end) {
       for (std::size_t k = begin; k < end && !cancel.cancelled(); ++k)
-        found[k] = curves_in_plane(grid, planes, int(k), 1e-9 * out.size, cancel);
+        found[k] = curves_in_plane(grid, mesh, planes, int(k), noise, cancel);
     });
     for (std::vector<SectionCurve>& own : found)
       for (SectionCurve& curve : own) {

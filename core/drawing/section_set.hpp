@@ -60,7 +60,12 @@ struct SectionSet {
 /// Curves in which planes cut surfaces. On patches they lie on the surface itself, with points about 1/300 of
 /// its size apart, and their curvature is exact: by Meusnier's theorem the normal curvature along the curve
 /// over the sine of the angle between plane and surface; zero where the plane touches the surface. On flat
-/// facets it is that of circles through three points of the curve, eight mean segments apart. Errors:
+/// facets it is that of circles through three points of the curve, eight mean segments apart.
+///
+/// Curves of a surface without border are closed, also where vertices, edges and faces lie in a plane: these
+/// count as above it, so a face in the plane has its border once where the surface goes on below, and none
+/// where it goes on above. Facets lie in a plane within 1e-12 of the size, patches within 1e-9 (or within the
+/// rounding of coordinates far from zero). Curves of an open surface end on its border. Errors:
 /// E_SECTIONS_PLANES (a direction that is no unit vector, numbers out of their range or not finite),
 /// E_SECTIONS_EMPTY where no plane meets a surface, E_CANCELLED. Deterministic on any number of threads.
 /// O(planes * patches + points).

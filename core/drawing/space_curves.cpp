@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 
+#include "core/drawing/plane_curves.hpp"
 #include "core/surface/patch.hpp"
 
 namespace hariko {
@@ -10,16 +11,14 @@ namespace hariko {
 namespace {
 
 constexpr int seam_oversampling = 2;
-constexpr int root_rounds = 40;
-constexpr double root_width = 1e-9;     ///< relative to a grid edge
-constexpr double join_distance = 1e-3;  ///< relative to a grid edge
 
-/// Zero contours of a function on the surface, traced on the grid's triangles.
+/// Zero contours of a function of position and normal, traced patch by patch on the grid's triangles: normals
+/// jump at creases, and so do the contours.
 class Contours {
  public:
   using Value = std::function<double(const Vector3& position, const Vector3& normal)>;
   using Place = SurfacePlace;
-  using Line = std::vector<Place>;
+  using Line = PlaceLine;
 
   /// `noise`: largest rounding error of the function.
   Contours(const SurfaceGrid& grid, Value value, double noise)
@@ -28,7 +27,7 @@ class Contours {
   std::vector<Line> trace(const CancelToken& cancel) {
     for (Index patch = 0; patch < grid_.surface().patch_count() && !cancel.cancelled(); ++patch)
       trace_patch(patch);
-    join();
+    join_lines(lines_);
     return std::move(lines_);
   }
 
@@ -39,26 +38,15 @@ class Contours {
   bool positive(double x) const { return x >= -noise_; }
 
   Place cross(Index patch, int a, int b) const {
-    Vector2 low = parameters_[std::size_t(a)], high = parameters_[std::size_t(b)];
-    double at_low = values_[std::size_t(a)], at_high = values_[std::size_t(b)];
+    const Vector2 begin = parameters_[std::size_t(a)], whole = parameters_[std::size_t(b)] - begin;
     const double edge = (grid_.position(patch, a) - grid_.position(patch, b)).norm();
-    const Vector2 whole = high - low;
-    double from = 0, to = 1;
-    const Vector2 start = low;
-    // False position, with bisection in every third round.
-    for (int round = 0; round < root_rounds && to - from > root_width; ++round) {
-      double x = 0.5 * (from + to);
-      if (round % 3 != 2 && at_high != at_low)
-        x = std::clamp(from + (to - from) * at_low / (at_low - at_high), from + 0.01 * (to - from),
-                       to - 0.01 * (to - from));
-      const SurfaceGrid::Point p = grid_.evaluate(patch, start + x * whole);
-      const double value = value_(p.position, p.normal);
-      if (positive(value) == positive(at_low))
-        from = x, at_low = value;
-      else
-        to = x, at_high = value;
-    }
-    const Vector2 parameter = start + 0.5 * (from + to) * whole;
+    const double fraction = crossing_fraction(
+        [&](double x) {
+          const SurfaceGrid::Point p = grid_.evaluate(patch, begin + x * whole);
+          return value_(p.position, p.normal);
+        },
+        values_[std::size_t(a)], values_[std::size_t(b)], noise_);
+    const Vector2 parameter = begin + fraction * whole;
     return {patch, parameter, grid_.evaluate(patch, parameter).position, edge};
   }
 
@@ -108,68 +96,6 @@ class Contours {
       if (!next[edge].empty()) follow(edge);
   }
 
-  /// Joins contours that end at the same place on a seam.
-  void join() {
-    struct End {
-      std::size_t line;
-      bool back;
-    };
-    const auto place = [&](const End& end) -> const Place& {
-      return end.back ? lines_[end.line].back() : lines_[end.line].front();
-    };
-    std::vector<End> ends;
-    for (std::size_t i = 0; i < lines_.size(); ++i)
-      if (!closed(lines_[i])) ends.insert(ends.end(), {End{i, false}, End{i, true}});
-    std::sort(ends.begin(), ends.end(),
-              [&](const End& a, const End& b) { return place(a).position.x() < place(b).position.x(); });
-    std::vector<std::size_t> partner(2 * lines_.size(), no_partner);
-    const auto number = [](const End& end) { return 2 * end.line + (end.back ? 1 : 0); };
-    for (std::size_t i = 0; i < ends.size(); ++i)
-      for (std::size_t j = i + 1; j < ends.size(); ++j) {
-        const Place &a = place(ends[i]), &b = place(ends[j]);
-        const double near = join_distance * std::max(a.edge, b.edge);
-        if (b.position.x() - a.position.x() > near) break;
-        if (a.patch == b.patch || (a.position - b.position).norm() > near) continue;
-        std::size_t &first = partner[number(ends[i])], &second = partner[number(ends[j])];
-        if (first == no_partner && second == no_partner) first = number(ends[j]), second = number(ends[i]);
-      }
-    std::vector<bool> used(lines_.size(), false);
-    std::vector<Line> joined;
-    const auto chain = [&](std::size_t first, bool reversed) {
-      Line out;
-      std::size_t line = first;
-      while (!used[line]) {
-        used[line] = true;
-        if (reversed)
-          out.insert(out.end(), lines_[line].rbegin(), lines_[line].rend());
-        else
-          out.insert(out.end(), lines_[line].begin(), lines_[line].end());
-        const std::size_t other = partner[2 * line + (reversed ? 0 : 1)];
-        if (other == no_partner) break;
-        line = other / 2;
-        reversed = other % 2 == 1;
-        if (used[line]) out.push_back(out.front());
-      }
-      joined.push_back(std::move(out));
-    };
-    for (std::size_t i = 0; i < lines_.size(); ++i) {
-      if (used[i]) continue;
-      if (partner[2 * i] == no_partner)
-        chain(i, false);
-      else if (partner[2 * i + 1] == no_partner)
-        chain(i, true);
-    }
-    for (std::size_t i = 0; i < lines_.size(); ++i)
-      if (!used[i]) chain(i, false);
-    lines_ = std::move(joined);
-  }
-
-  static bool closed(const Line& line) {
-    return line.size() > 2 && line.front().parameter == line.back().parameter &&
-           line.front().patch == line.back().patch;
-  }
-
-  static constexpr std::size_t no_partner = std::size_t(-1);
   const SurfaceGrid& grid_;
   Value value_;
   double noise_;
@@ -250,21 +176,13 @@ std::vector<SpaceCurve> silhouettes(const SurfaceGrid& grid, const DrawingView& 
   return out;
 }
 
-std::vector<std::vector<SurfacePlace>> plane_places(const SurfaceGrid& grid,
-                                                    const Eigen::Hyperplane<double, 3>& plane, double noise,
-                                                    const CancelToken& cancel) {
-  Contours contours(
-      grid, [&plane](const Vector3& position, const Vector3&) { return plane.signedDistance(position); },
-      noise);
-  return contours.trace(cancel);
-}
-
 std::vector<SpaceCurve> section_lines(const SurfaceGrid& grid, const DrawingView& view,
                                       const CancelToken& cancel) {
   if (!view.section) return {};
   const double noise = 1e-9 * (view.width + view.height) / view.focal;
   std::vector<SpaceCurve> out;
-  for (const std::vector<SurfacePlace>& line : plane_places(grid, *view.section, noise, cancel)) {
+  const GridMesh mesh(grid);
+  for (const PlaceLine& line : plane_places(grid, mesh, *view.section, noise, cancel)) {
     SpaceCurve curve{LineKind::section, {}, {}};
     for (const SurfacePlace& place : line) {
       curve.points.push_back(place.position);

@@ -2,7 +2,6 @@
 
 // Space curves of a drawing: contours of functions on a surface, seams and borders.
 
-#include <functional>
 #include <vector>
 
 #include "core/base/cancellation.hpp"
@@ -16,20 +15,6 @@ struct SpaceCurve {
   LineKind kind;
   std::vector<Vector3> points, away;
 };
-
-/// Place on a surface, where a traced curve passes.
-struct SurfacePlace {
-  Index patch;
-  Vector2 parameter;
-  Vector3 position;  ///< world
-  double edge;       ///< length of the grid edge with the place
-};
-/// Intersection of the surface with a plane in the world, as places of the surface itself; a closed curve
-/// repeats its first place at the end. Distances from the plane below `noise` count as positive.
-/// O(triangles).
-std::vector<std::vector<SurfacePlace>> plane_places(const SurfaceGrid& grid,
-                                                    const Eigen::Hyperplane<double, 3>& plane, double noise,
-                                                    const CancelToken& cancel);
 
 /// Silhouettes, where the normal is perpendicular to the view direction. O(triangles log triangles).
 std::vector<SpaceCurve> silhouettes(const SurfaceGrid& grid, const DrawingView& view,

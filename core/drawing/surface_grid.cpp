@@ -16,6 +16,13 @@ constexpr double wanted_edge = 4;  ///< length of a triangle's edge, page units
 constexpr double chord_safety = 3;
 constexpr double grazing_share = 0.2;  ///< least weight of edges that are seen end-on
 
+/// Least number of intervals on a side. Three keep two edges of a patch that is joined to itself from having
+/// the same two samples.
+int least_density(const Surface& surface) {
+  const auto to_itself = [](const Seam& seam) { return seam.first.patch == seam.second.patch; };
+  return std::any_of(surface.seams().begin(), surface.seams().end(), to_itself) ? 3 : 2;
+}
+
 }  // namespace
 
 SurfaceGrid::SurfaceGrid(const DrawnSurface& drawn, const DrawingView& view, std::size_t largest)
@@ -62,7 +69,7 @@ void SurfaceGrid::choose_density(const DrawingView& view, std::size_t largest) {
   const double most =
       std::sqrt(double(largest) / double(patches) / (surface.domain() == Domain::square ? 2 : 1));
   const double wanted = std::min(coarse_density * longest / wanted_edge, most);
-  pattern_.density = std::clamp(int(std::ceil(wanted)), 2, finest_density);
+  pattern_.density = std::clamp(int(std::ceil(wanted)), least_density(surface), finest_density);
 }
 
 void SurfaceGrid::measure_chords() {

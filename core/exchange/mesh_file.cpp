@@ -1,5 +1,6 @@
 #include "core/exchange/mesh_file.hpp"
 
+#include <array>
 #include <deque>
 #include <new>
 #include <string>
@@ -44,6 +45,22 @@ Result<ImportedScene> as_scene(Result<ImportedMesh> result) {
   scene.parts.push_back({std::move(mesh.mesh), std::move(mesh.name)});
   scene.warnings = std::move(mesh.warnings);
   return scene;
+}
+
+/// Name of a format in messages.
+const char* mesh_format_name(MeshFormat format) {
+  constexpr std::array names{"OBJ", "OFF", "PLY", "STL", "glTF", "3MF"};
+  return names.at(static_cast<std::size_t>(format));
+}
+
+/// Reason why a file could not be read: where its content is clearly of another format, that.
+Message why_unread(const Message& error, MeshFormat format, std::string_view bytes) {
+  const auto holds = error.code == e_cancelled ? std::nullopt : format_of_content(bytes);
+  if (!holds || *holds == format) return error;
+  return make_error(e_format_unknown,
+                    std::string("The file holds ") + mesh_format_name(*holds) + ", though it is called " +
+                        mesh_format_name(format) + ".",
+                    "Rename it to the ending of what it holds.");
 }
 
 template <class Mesh>
@@ -168,7 +185,7 @@ std::optional<MeshFormat> format_of_extension(const std::filesystem::path& path)
 std::optional<MeshFormat> format_of_content(std::string_view given) {
   const std::optional<std::string> text = from_utf16(given);
   const std::string_view bytes = text ? *text : given;
-  if (looks_like_glb(bytes)) return MeshFormat::gltf;
+  if (looks_like_glb(bytes) || looks_like_gltf_text(bytes)) return MeshFormat::gltf;
   if (looks_like_zip(bytes)) return MeshFormat::three_mf;
   if (bytes.starts_with("ply\n") || bytes.starts_with("ply\r")) return MeshFormat::ply;
   if (looks_like_stl(bytes)) return MeshFormat::stl;
@@ -192,7 +209,7 @@ Result<ImportedScene> read_parts(std::string_view bytes, MeshFormat format, cons
     case MeshFormat::ply:
       return as_scene(read_ply(bytes, limits));
     case MeshFormat::stl:
-      return as_scene(read_stl(bytes, limits));
+      return read_stl_scene(bytes, limits);
     case MeshFormat::gltf:
       return read_gltf(bytes, limits, beside);
     case MeshFormat::three_mf:
@@ -225,7 +242,7 @@ Result<ImportedScene> read_scene_file(const std::filesystem::path& path, const R
   };
   try {
     Result<ImportedScene> result = read_parts(*bytes, *format, limits, beside);
-    if (!result) return in_file(path, result.error());
+    if (!result) return in_file(path, why_unread(result.error(), *format, *bytes));
     ImportedScene scene = std::move(result).value();
     for (Message& warning : scene.warnings) warning = in_file(path, std::move(warning));
     const std::string own = sanitized_utf8(path.stem().native(), 200);

@@ -20,7 +20,8 @@ enum class MeshFormat { obj, off, ply, stl, gltf, three_mf };
 
 /// Format of a file name's extension in any case; nothing for others.
 std::optional<MeshFormat> format_of_extension(const std::filesystem::path& path);
-/// Format recognised by the first bytes; nothing where none matches.
+/// Format recognised by the first bytes, of the text form of glTF by a member; nothing where none matches.
+/// O(size).
 std::optional<MeshFormat> format_of_content(std::string_view bytes);
 
 /// Reads the objects of a file; OFF, PLY and STL have one. Text may be UTF-8 or UTF-16. `beside` supplies

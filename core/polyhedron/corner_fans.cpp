@@ -16,7 +16,22 @@ std::vector<Index> previous_corners(const PolygonMesh& mesh) {
 
 }  // namespace
 
+std::vector<Index> find_twins(const PolygonMesh& mesh, const EdgeTable& edges) {
+  std::vector<Index> twin(mesh.face_vertices.size(), no_index);
+  edges.for_each_edge([&](Index, Index, std::span<const EdgeUse> uses) {
+    if (uses.size() != 2 || !is_manifold_edge(mesh, uses)) return;
+    twin[uses[0].corner] = uses[1].corner;
+    twin[uses[1].corner] = uses[0].corner;
+  });
+  return twin;
+}
+
 CornerFans find_corner_fans(const PolygonMesh& mesh, const std::vector<char>& sound, const EdgeTable& edges) {
+  return find_corner_fans(mesh, sound, edges, find_twins(mesh, edges));
+}
+
+CornerFans find_corner_fans(const PolygonMesh& mesh, const std::vector<char>& sound, const EdgeTable& edges,
+                            const std::vector<Index>& twin) {
   const std::size_t vertex_count = mesh.positions.size(), corner_count = mesh.face_vertices.size();
   CornerFans out;
   out.fan.assign(corner_count, no_index);
@@ -24,14 +39,8 @@ CornerFans find_corner_fans(const PolygonMesh& mesh, const std::vector<char>& so
   out.at_faulty_edge.assign(vertex_count, 0);
   out.at_unsound_face.assign(vertex_count, 0);
 
-  std::vector<Index> twin(corner_count, no_index);
   edges.for_each_edge([&](Index low, Index high, std::span<const EdgeUse> uses) {
-    if (!is_manifold_edge(mesh, uses)) {
-      out.at_faulty_edge[low] = out.at_faulty_edge[high] = 1;
-    } else if (uses.size() == 2) {
-      twin[uses[0].corner] = uses[1].corner;
-      twin[uses[1].corner] = uses[0].corner;
-    }
+    if (!is_manifold_edge(mesh, uses)) out.at_faulty_edge[low] = out.at_faulty_edge[high] = 1;
   });
 
   // The next corner counter-clockwise is a partial injection: its paths are the open fans, its cycles the

@@ -20,7 +20,15 @@ struct CornerFans {
   std::vector<char> at_unsound_face;  ///< per vertex: 1 when a face with a fault of its own uses it
 };
 
+/// Corner at the other side of the edge that each corner starts, for manifold edges; no_index at borders and
+/// at faulty edges. O(corners).
+std::vector<Index> find_twins(const PolygonMesh& mesh, const EdgeTable& edges);
+
 /// Finds the fans. `sound` comes from sound_faces, `edges` are those of the sound faces. O(corners).
 CornerFans find_corner_fans(const PolygonMesh& mesh, const std::vector<char>& sound, const EdgeTable& edges);
+
+/// The same for given pairs of corners (`twin`, no_index for none) instead of those at manifold edges.
+CornerFans find_corner_fans(const PolygonMesh& mesh, const std::vector<char>& sound, const EdgeTable& edges,
+                            const std::vector<Index>& twin);
 
 }  // namespace hariko

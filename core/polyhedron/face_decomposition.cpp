@@ -136,25 +136,16 @@ std::optional<std::vector<std::array<Index, 3>>> triangles_of(std::span<const Ve
   return EarClipper(corners, may_join).clip();
 }
 
-std::optional<std::vector<std::vector<Index>>> convex_pieces(std::span<const Vector3> corners,
-                                                             const MayJoin& may_join) {
-  const FaceShape shape = classify_face(corners);
-  if (shape == FaceShape::self_crossing) return std::nullopt;
+std::vector<std::vector<Index>> joined_to_convex(std::span<const Vector3> corners,
+                                                 std::span<const std::array<Index, 3>> triangles) {
   std::vector<std::vector<Index>> pieces;
-  if (shape == FaceShape::convex) {
-    pieces.emplace_back(corners.size());
-    std::iota(pieces[0].begin(), pieces[0].end(), Index{0});
-    return pieces;
-  }
-  const auto triangles = triangles_of(corners, may_join);
-  if (!triangles) return std::nullopt;
   struct Diagonal {
     Index a, b;
     double length;
   };
   std::vector<Diagonal> diagonals;
   const auto count = static_cast<Index>(corners.size());
-  for (const auto& triangle : *triangles) {
+  for (const auto& triangle : triangles) {
     std::vector<Index> piece(triangle.begin(), triangle.end());
     std::rotate(piece.begin(), std::min_element(piece.begin(), piece.end()), piece.end());
     for (std::size_t i = 0; i < 3; ++i) {
@@ -182,6 +173,20 @@ std::optional<std::vector<std::vector<Index>>> convex_pieces(std::span<const Vec
   }
   std::sort(pieces.begin(), pieces.end());
   return pieces;
+}
+
+std::optional<std::vector<std::vector<Index>>> convex_pieces(std::span<const Vector3> corners,
+                                                             const MayJoin& may_join) {
+  const FaceShape shape = classify_face(corners);
+  if (shape == FaceShape::self_crossing) return std::nullopt;
+  if (shape == FaceShape::convex) {
+    std::vector<Index> whole(corners.size());
+    std::iota(whole.begin(), whole.end(), Index{0});
+    return std::vector<std::vector<Index>>{std::move(whole)};
+  }
+  const auto triangles = triangles_of(corners, may_join);
+  if (!triangles) return std::nullopt;
+  return joined_to_convex(corners, *triangles);
 }
 
 }  // namespace hariko

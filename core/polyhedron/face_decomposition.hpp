@@ -27,6 +27,11 @@ inline constexpr std::size_t largest_cut_polygon = 2000;
 std::optional<std::vector<std::array<Index, 3>>> triangles_of(std::span<const Vector3> corners,
                                                               const MayJoin& may_join);
 
+/// Pieces of a triangulation by diagonals: joined across their longest diagonals first, as long as
+/// `classify_face` calls them convex. Each piece lists its corners in order.
+std::vector<std::vector<Index>> joined_to_convex(std::span<const Vector3> corners,
+                                                 std::span<const std::array<Index, 3>> triangles);
+
 /// Convex decomposition: the triangles joined across their longest diagonals first, as long as
 /// `classify_face` calls the pieces convex (Hertel and Mehlhorn). Each piece lists its corners in order; the
 /// first piece holds corner 0. One piece for a convex polygon; nothing when the projection crosses itself,

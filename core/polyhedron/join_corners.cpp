@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 #include "core/polyhedron/edge_table.hpp"
 #include "core/polyhedron/face_check.hpp"
@@ -115,15 +116,19 @@ TidyMesh join_corners(const PolygonMesh& mesh, double distance) {
   bool loose = false;
   const std::vector<Index> itself = own_numbers(mesh), target = targets_of(mesh, distance, loose);
   TidyMesh joined = moved_to(mesh, target);
-  if (joined.joined == 0 || is_sound(joined.mesh)) return joined;
+  if (joined.joined == 0) return joined;
+  CutKeyholes whole =
+      cut_keyholes(std::move(joined.mesh));  // the two sides of a bridge had vertices of their own
+  joined.keyholes = whole.cut;
+  joined.mesh = std::move(whole.mesh);
+  if (is_sound(joined.mesh)) return joined;
   TidyMesh apart = moved_to(mesh, itself);
   if (!is_sound(apart.mesh)) return joined;
-  // Fans that touch in a point only get separate vertices again; the positions are equal, so the choice does
-  // not matter.
-  PolygonMesh split = split_nonmanifold_vertices(joined.mesh);
-  if (is_sound(split)) {
-    joined.joined -= std::min(joined.joined, split.positions.size() - joined.mesh.positions.size());
-    joined.mesh = std::move(split);
+  // Bodies that touch, and fans that touch in a point only, get separate vertices again; the positions are
+  // equal, so the choice does not matter.
+  if (auto bodies = separate_bodies(joined.mesh)) {
+    joined.joined -= std::min(joined.joined, bodies->original.size() - joined.mesh.positions.size());
+    joined.mesh = std::move(bodies->mesh);
     return joined;
   }
   return loose ? joined : apart;

@@ -17,6 +17,7 @@ struct TidyMesh {
   double farthest = 0;           ///< greatest distance that one of them was moved
   std::size_t collapsed = 0;     ///< faces left with fewer than three corners, dropped
   std::size_t flat = 0;          ///< triangles along an edge that were dropped or turned
+  std::size_t keyholes = 0;      ///< faces with a hole that were cut
 };
 
 /// Default joining distance, relative to the size of the mesh.

@@ -7,6 +7,7 @@
 #include "core/geometry/polygon.hpp"
 #include "core/polyhedron/message_group.hpp"
 #include "core/polyhedron/near_vertices.hpp"
+#include "core/polyhedron/part_nesting.hpp"
 #include "core/polyhedron/validation.hpp"
 #include "core/polyhedron/volume.hpp"
 
@@ -34,14 +35,28 @@ void warn_isolated(const Checked& mesh) {
       group.add(mesh.names.vertex(v), [] { return std::string("No face uses the vertex; it is ignored."); });
 }
 
+/// Triangles of each closed component, for their nesting; none for those with the volume 0.
+std::vector<PartNesting::Triangles> closed_parts(const HalfEdgeMesh& topology,
+                                                 const std::vector<double>& volumes) {
+  const std::vector<Index> component = topology.face_components();
+  std::vector<PartNesting::Triangles> out(volumes.size());
+  for (Index f = 0; f < topology.face_count(); ++f) {
+    if (volumes[component[f]] == 0) continue;
+    const std::span<const Index> corners = topology.face_vertices(f);
+    for (std::size_t i = 1; i + 1 < corners.size(); ++i)
+      out[component[f]].push_back({corners[0], corners[i], corners[i + 1]});
+  }
+  return out;
+}
+
 void warn_inside_out(const Checked& mesh) {
-  const std::vector<double> volumes = closed_component_volumes(mesh.topology, mesh.positions);
   const std::vector<Index> component = mesh.topology.face_components();
-  MessageGroup group = mesh.group(w_inside_out, "Repair the orientation to turn it outwards.");
+  const std::vector<char> wrong = inside_out_components(mesh.topology, mesh.positions);
+  MessageGroup group = mesh.group(w_inside_out, "Turn it: Mesh > Flip, or --repair where it is opened.");
   Index next = 0;  // components are numbered by their first face
   for (Index f = 0; f < mesh.topology.face_count(); ++f) {
     if (component[f] != next) continue;
-    if (volumes[next++] < 0)
+    if (wrong[next++])
       group.add(mesh.names.face(f),
                 [] { return std::string("The closed part with this face is inside out."); });
   }
@@ -114,6 +129,26 @@ void warn_valence_2(const Checked& mesh) {
 }
 
 }  // namespace
+
+std::vector<char> inside_out_components(const HalfEdgeMesh& topology, std::span<const Vector3> positions) {
+  const std::vector<double> volumes = closed_component_volumes(topology, positions);
+  std::vector<char> out;
+  bool inwards = false, outwards = false;
+  for (const double volume : volumes) {
+    out.push_back(volume < 0);
+    inwards = inwards || volume < 0;
+    outwards = outwards || volume > 0;
+  }
+  if (!inwards || !outwards) return out;
+  PartNesting nesting(positions, closed_parts(topology, volumes));
+  for (Index part = 0; part < out.size(); ++part) {
+    if (!out[part]) continue;
+    int depth = 0;
+    for (const Index around : nesting.around(part)) depth += volumes[around] > 0 ? 1 : -1;
+    if (depth > 0) out[part] = 0;
+  }
+  return out;
+}
 
 std::vector<Message> mesh_warnings(const HalfEdgeMesh& topology, std::span<const Vector3> positions,
                                    const ElementNames& names, std::size_t limit) {

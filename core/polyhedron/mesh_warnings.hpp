@@ -21,4 +21,9 @@ std::vector<Message> mesh_warnings(const HalfEdgeMesh& topology, std::span<const
 std::vector<Message> face_shape_warnings(const HalfEdgeMesh& topology, std::span<const Vector3> positions,
                                          const ElementNames& names, std::size_t limit);
 
+/// Components (numbers of `HalfEdgeMesh::face_components`) that are closed and inside out: 1 for those, which
+/// look inwards and are no cavities of others. O(faces), and O(n log n) where some look inwards and some
+/// outwards.
+std::vector<char> inside_out_components(const HalfEdgeMesh& topology, std::span<const Vector3> positions);
+
 }  // namespace hariko

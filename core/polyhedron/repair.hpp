@@ -3,13 +3,17 @@
 // Repairs of polygon meshes that validation offers. Each returns a new mesh and leaves positions of kept
 // vertices alone.
 
+#include <optional>
+#include <vector>
+
 #include "core/base/result.hpp"
 #include "core/polyhedron/polygon_mesh.hpp"
 
 namespace hariko {
 
 /// Makes neighbouring faces agree in orientation (flood fill over edges shared by two faces), then turns
-/// closed components outward (positive signed volume). Fails with E_EDGE_NONMANIFOLD_OR_FLIPPED where no
+/// closed components outward (positive signed volume), but cavities, which lie in another component and look
+/// the other way, inward. Fails with E_EDGE_NONMANIFOLD_OR_FLIPPED where no
 /// consistent orientation exists (a one-sided surface) or an edge has more than two faces.
 Result<PolygonMesh> repair_orientation(const PolygonMesh& mesh);
 
@@ -24,6 +28,33 @@ PolygonMesh split_nonmanifold_edges(const PolygonMesh& mesh);
 
 /// Gives every fan at a vertex that has several its own copy of the vertex.
 PolygonMesh split_nonmanifold_vertices(const PolygonMesh& mesh);
+
+/// Mesh with vertices of their own for bodies that touched. Copies of vertices stand behind all others.
+struct SeparatedBodies {
+  PolygonMesh mesh;
+  std::vector<Index> original;  ///< vertex of the input, per vertex
+};
+
+/// Separates bodies that touch along edges or in points, where this makes the whole mesh manifold and leaves
+/// nothing open: at edges with more than two faces the two sides are paired that ordinary edges connect to
+/// one body, and the others with their neighbours in angle, the inside between them, where that makes closed
+/// bodies with their faces outside. Nothing where there is nothing to separate, or that is impossible.
+/// O(corners) expected.
+std::optional<SeparatedBodies> separate_bodies(const PolygonMesh& mesh);
+
+/// Pairs sides as `separate_bodies` does wherever it is possible, and gives the others at edges with more
+/// than two faces borders of their own.
+SeparatedBodies separate_at_edges(const PolygonMesh& mesh);
+
+/// Mesh after `cut_keyholes`.
+struct CutKeyholes {
+  PolygonMesh mesh;
+  std::size_t cut = 0;  ///< faces that were cut
+};
+/// Cuts faces with a hole that is joined to the rim by sides walked in both directions (keyholes) into convex
+/// faces that cover the face and not the hole. Faces stay as they are where they come back to a vertex
+/// otherwise, or cannot be cut exactly. O(corners) without such faces.
+CutKeyholes cut_keyholes(PolygonMesh mesh);
 
 /// Removes vertices that no face uses.
 PolygonMesh remove_isolated_vertices(const PolygonMesh& mesh);
@@ -41,6 +72,7 @@ struct RepairReport {
   /// degenerate, double, or with vertices that do not exist; of split faces the parts count
   std::size_t dropped_faces = 0;
   std::size_t turned_faces = 0;      ///< turned to agree with their neighbours
+  std::size_t cut_faces = 0;         ///< with a hole, or back at one of their corners: cut into several
   std::size_t split_vertices = 0;    ///< copies added where the mesh was cut apart
   std::size_t removed_vertices = 0;  ///< vertices used by no face
   friend bool operator==(const RepairReport&, const RepairReport&) = default;
@@ -54,9 +86,9 @@ struct Repaired {
 
 /// Makes a mesh manifold by all of these repairs in turn, so that `Polyhedron::build` accepts the result:
 /// vertices nearer than 1e-6 of the diagonal of the box are merged, unusable faces dropped, the others
-/// oriented, and parts that are still not manifold cut apart. A manifold mesh without near vertices is
-/// returned unchanged except for unused vertices. Errors: E_NO_FACES when no face is left, E_NONFINITE when a
-/// used position is not finite.
+/// oriented, faces with holes cut, bodies that touch separated, and parts that are still not manifold cut
+/// apart. A manifold mesh without near vertices is returned unchanged except for unused vertices. Errors:
+/// E_NO_FACES when no face is left, E_NONFINITE when a used position is not finite.
 Result<Repaired> make_manifold(const PolygonMesh& mesh);
 
 }  // namespace hariko

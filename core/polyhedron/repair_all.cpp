@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <set>
 #include <string>
+#include <utility>
 
 #include "core/base/ids.hpp"
 #include "core/polyhedron/edge_table.hpp"
@@ -35,6 +36,7 @@ void add_rounds(std::span<const Index> face, PolygonMesh& out) {
 struct SplitFaces {
   PolygonMesh mesh;
   std::size_t lost = 0;  ///< faces of which no loop has three corners
+  std::size_t cut = 0;   ///< faces that became several, or lost corners
 };
 
 SplitFaces split_into_rounds(const PolygonMesh& mesh) {
@@ -43,7 +45,9 @@ SplitFaces split_into_rounds(const PolygonMesh& mesh) {
   for (std::size_t f = 0; f < mesh.face_count(); ++f) {
     const std::size_t before = out.mesh.face_count();
     add_rounds(mesh.face(f), out.mesh);
-    out.lost += out.mesh.face_count() == before;
+    const std::size_t rounds = out.mesh.face_count() - before;
+    out.lost += rounds == 0;
+    out.cut += rounds > 1 || (rounds == 1 && out.mesh.face(before).size() < mesh.face(f).size());
   }
   return out;
 }
@@ -114,15 +118,20 @@ Result<Repaired> make_manifold(const PolygonMesh& given) {
   report.merged_vertices = separate - mesh.positions.size();
   report.dropped_faces = given.face_count() - mesh.face_count();
   // Counted before and after the splitting, which makes several faces of one.
-  const SplitFaces rounds = split_into_rounds(mesh);
+  const CutKeyholes whole = cut_keyholes(std::move(mesh));
+  SplitFaces rounds = split_into_rounds(whole.mesh);
+  report.cut_faces = whole.cut + rounds.cut;
+  const std::size_t together = rounds.mesh.positions.size();
+  if (auto bodies = separate_bodies(rounds.mesh)) rounds.mesh = std::move(bodies->mesh);
   mesh = without_doubles(rounds.mesh);
   report.dropped_faces += rounds.lost + (rounds.mesh.face_count() - mesh.face_count());
   if (mesh.face_count() == 0)
     return make_error(e_no_faces, "No face is left after the repair.",
                       "Repair the file in the program that wrote it.");
   const PolygonMesh oriented = orient_where_possible(mesh);
-  const PolygonMesh split = split_nonmanifold_vertices(split_nonmanifold_edges(oriented));
-  report.split_vertices = split.positions.size() - oriented.positions.size();
+  const PolygonMesh split =
+      split_nonmanifold_vertices(split_nonmanifold_edges(separate_at_edges(oriented).mesh));
+  report.split_vertices = split.positions.size() - together;
   // Parts that were cut apart may have become closed: they are turned outward now.
   out.mesh = orient_where_possible(split);
   for (std::size_t f = 0; f < mesh.face_count(); ++f)
@@ -131,6 +140,12 @@ Result<Repaired> make_manifold(const PolygonMesh& given) {
   const std::size_t kept = out.mesh.positions.size();
   out.mesh = remove_isolated_vertices(out.mesh);
   report.removed_vertices += kept - out.mesh.positions.size();
+  // Vertices of bodies that touch were merged and are two again. No report of a change is empty.
+  RepairReport less = report;
+  const std::size_t again = std::min(report.split_vertices, report.merged_vertices);
+  less.split_vertices -= again;
+  less.merged_vertices -= again;
+  if (less != RepairReport{}) report = less;
   return out;
 }
 

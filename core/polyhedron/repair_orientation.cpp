@@ -1,11 +1,14 @@
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "core/base/ids.hpp"
 #include "core/polyhedron/edge_table.hpp"
 #include "core/polyhedron/face_check.hpp"
+#include "core/polyhedron/part_nesting.hpp"
 #include "core/polyhedron/repair.hpp"
 #include "core/polyhedron/validation.hpp"
 
@@ -121,24 +124,65 @@ double volume_of(const PolygonMesh& mesh, const Part& part, const std::vector<si
   return volume;
 }
 
+/// Closed part with its orientation after its flips.
+struct ClosedPart {
+  Part part;
+  bool inwards = false;          ///< its faces look inwards
+  bool given_inwards = false;    ///< most of them did before the flips
+  PartNesting::Triangles faces;  ///< after the flips
+};
+
+ClosedPart closed_part(const PolygonMesh& mesh, Part part, bool mostly_flipped,
+                       const std::vector<signed char>& flip) {
+  ClosedPart out;
+  out.inwards = volume_of(mesh, part, flip) < 0;
+  out.given_inwards = out.inwards != mostly_flipped;
+  for (const Index f : part.faces) {
+    const std::span<const Index> corners = mesh.face(f);
+    for (std::size_t i = 1; i + 1 < corners.size(); ++i)
+      out.faces.push_back(flip[f] ? std::array{corners[0], corners[i + 1], corners[i]}
+                                  : std::array{corners[0], corners[i], corners[i + 1]});
+  }
+  out.part = std::move(part);
+  return out;
+}
+
+/// Turns closed parts outwards; a part inside another one that looks the other way is a cavity, and does so
+/// afterwards, too.
+void turn_outwards(const PolygonMesh& mesh, std::vector<ClosedPart> closed, std::vector<signed char>& flip) {
+  std::vector<PartNesting::Triangles> faces(closed.size());
+  if (closed.size() > 1)
+    for (std::size_t k = 0; k < closed.size(); ++k) faces[k] = std::move(closed[k].faces);
+  PartNesting nesting(mesh.positions, std::move(faces));
+  for (std::size_t k = 0; k < closed.size(); ++k) {
+    const std::vector<Index> around = nesting.around(static_cast<Index>(k));
+    const bool cavity = !around.empty() && closed[around[0]].given_inwards != closed[k].given_inwards;
+    if (closed[k].inwards == cavity) continue;
+    for (const Index f : closed[k].part.faces) flip[f] = static_cast<signed char>(1 - flip[f]);
+  }
+}
+
 Result<PolygonMesh> orient(const PolygonMesh& mesh, bool strict) {
   const std::vector<char> sound = sound_faces(mesh);
   const Result<Neighbours> neighbours = find_neighbours(mesh, EdgeTable(mesh, sound), strict);
   if (!neighbours) return neighbours.error();
 
   std::vector<signed char> flip(mesh.face_count(), -1);
+  std::vector<ClosedPart> closed;
   for (Index seed = 0; seed < mesh.face_count(); ++seed) {
     if (!sound[seed] || flip[seed] >= 0) continue;
-    const Result<Part> part = flood(mesh, *neighbours, seed, strict, flip);
+    Result<Part> part = flood(mesh, *neighbours, seed, strict, flip);
     if (!part) return part.error();
     const auto flipped =
         std::count_if(part->faces.begin(), part->faces.end(), [&](Index f) { return flip[f] == 1; });
-    // Closed parts face outwards; open parts keep the orientation of most of their faces.
-    const bool turn = part->closed ? volume_of(mesh, *part, flip) < 0
-                                   : static_cast<std::size_t>(flipped) * 2 > part->faces.size();
-    if (turn)
+    const bool mostly_flipped = static_cast<std::size_t>(flipped) * 2 > part->faces.size();
+    // Open parts keep the orientation of most of their faces.
+    if (part->closed)
+      closed.push_back(closed_part(mesh, std::move(part).value(), mostly_flipped, flip));
+    else if (mostly_flipped)
       for (Index f : part->faces) flip[f] = static_cast<signed char>(1 - flip[f]);
   }
+  turn_outwards(mesh, std::move(closed), flip);
 
   PolygonMesh out = mesh;
   for (std::size_t f = 0; f < mesh.face_count(); ++f)  // the first corner stays first

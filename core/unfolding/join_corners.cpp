@@ -32,16 +32,16 @@ std::vector<Index> place_numbers(const std::vector<Vector3>& positions) {
 /// Side without a second face, with the numbers of its end positions, lower first.
 struct LooseSide {
   std::array<Index, 2> places, vertices;
+  bool forward;  ///< its face runs from the first end to the second one
 };
 
 std::vector<LooseSide> loose_sides(const PolygonMesh& mesh, const std::vector<Index>& place) {
   std::vector<LooseSide> out;
   EdgeTable(mesh, sound_faces(mesh)).for_each_edge([&](Index low, Index high, std::span<const EdgeUse> uses) {
     if (uses.size() != 1 || place[low] == place[high]) return;
-    if (place[low] < place[high])
-      out.push_back({{place[low], place[high]}, {low, high}});
-    else
-      out.push_back({{place[high], place[low]}, {high, low}});
+    const bool rises = place[low] < place[high], from_low = mesh.face_vertices[uses[0].corner] == low;
+    const Index a = rises ? low : high, b = rises ? high : low;
+    out.push_back({{place[a], place[b]}, {a, b}, rises == from_low});
   });
   std::sort(out.begin(), out.end(),
             [](const LooseSide& a, const LooseSide& b) { return a.places < b.places; });
@@ -58,7 +58,7 @@ std::size_t join_equal_corners(PolygonMesh& mesh) {
   for (std::size_t begin = 0; begin < loose.size();) {
     std::size_t end = begin + 1;
     while (end < loose.size() && loose[end].places == loose[begin].places) ++end;
-    if (end == begin + 2)
+    if (end == begin + 2 && loose[begin].forward != loose[begin + 1].forward)
       for (std::size_t k = 0; k < 2; ++k) sets.join(loose[begin].vertices[k], loose[begin + 1].vertices[k]);
     begin = end;
   }

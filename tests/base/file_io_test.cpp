@@ -132,6 +132,9 @@ TEST(WriteFileAtomic, RefusesWhatIsNoFile) {
     EXPECT_EQ(result.error().code, e_file_write) << path;
   }
   EXPECT_EQ(file_count(folder.path()), 2U);
+  const auto missing = write_file_atomic(folder.path() / "no" / "such", new_bytes);
+  EXPECT_NE(missing.error().text.find("its folder does not exist"), std::string::npos)
+      << missing.error().text;
 }
 
 TEST(WriteFileAtomic, RefusesWriteProtectedFiles) {

@@ -201,7 +201,7 @@ void round_trip(const std::string& name, const Surface& surface, CadFormat forma
   EXPECT_TRUE(file.report.valid);
   EXPECT_EQ(file.report.faces, model->faces.size());
   EXPECT_LE(file.report.edge_tolerance, 1e-6);
-  EXPECT_EQ(file.report.solids, model->closed() ? component_count(*model) : 0);
+  EXPECT_EQ(file.report.solids + file.report.voids, model->closed() ? component_count(*model) : 0);
   const auto parts = read_parts(path);
   ASSERT_EQ(parts.size(), 1U);
   const TopoDS_Shape& shape = parts[0].shape;

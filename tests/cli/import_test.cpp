@@ -204,5 +204,58 @@ TEST_F(ImportTest, TextOfInfoNamesAKindOfFaultOnce) {
   EXPECT_NE(told.out.find("499 like this: edge 1-2, edge 2-3"), std::string::npos) << told.out;
 }
 
+/// Box of triangles as facets of an STL text, from its lowest corner, inside out where it is asked for.
+std::string stl_box(const std::string& name, double x, double y, bool inside_out = false) {
+  const int quads[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4},
+                           {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
+  std::string out = "solid " + name + "\n";
+  for (const auto& quad : quads)
+    for (const int first : {1, 2}) {
+      const int corners[3] = {quad[0], quad[inside_out ? first + 1 : first],
+                              quad[inside_out ? first : first + 1]};
+      out += "facet normal 0 0 0 outer loop\n";
+      for (const int v : corners)
+        out += "vertex " + std::to_string(x + 10 * (v & 1)) + " " + std::to_string(y + 10 * (v >> 1 & 1)) +
+               " " + std::to_string(10 * (v >> 2)) + "\n";
+      out += "endloop endfacet\n";
+    }
+  return out + "endsolid " + name + "\n";
+}
+
+TEST_F(ImportTest, SolidsOfAnStlAreObjectsThoughTheyTouch) {
+  write_text(path("two.stl"), stl_box("left", 0, 0) + stl_box("right", 10, 10));
+  const Outcome told = run("info --json " + path("two.stl"));
+  ASSERT_EQ(told.exit_code, 0) << told.out;
+  const Json objects = told.json()["objects"];
+  ASSERT_EQ(objects.size(), 2U);
+  EXPECT_EQ(objects[0]["name"], "left");
+  EXPECT_EQ(objects[1]["name"], "right");
+  for (const Json& object : objects) EXPECT_EQ(object["boundary_loops"], 0);
+  // One solid with both boxes: they stay two closed parts.
+  std::string one = stl_box("one", 0, 0);
+  const std::string other = stl_box("one", 10, 10);
+  one.erase(one.find("endsolid"));
+  write_text(path("one.stl"), one + other.substr(other.find('\n') + 1));
+  const Json both = run("info --json " + path("one.stl")).object();
+  EXPECT_EQ(both["boundary_loops"], 0) << both;
+  EXPECT_EQ(codes_of(both).count("W_BODIES_APART"), 1U) << both;
+}
+
+TEST_F(ImportTest, ABodyThatIsInsideOutIsTurnedByTheRepair) {
+  write_text(path("turned.stl"), stl_box("box", 0, 0, true));
+  const Json given = run("info --json " + path("turned.stl")).object();
+  EXPECT_EQ(codes_of(given).count("W_INSIDE_OUT"), 1U) << given;
+  const Json repaired = run("info --json " + path("turned.stl") + " --repair").object();
+  EXPECT_EQ(codes_of(repaired).count("W_INSIDE_OUT"), 0U) << repaired;
+  EXPECT_EQ(codes_of(repaired).count("W_TURNED_OUTWARDS"), 1U) << repaired;
+}
+
+TEST_F(ImportTest, AFileOfAnotherFormatIsNamed) {
+  write_text(path("mesh.stl"), loose_cube(0));
+  const Outcome told = run("info " + path("mesh.stl"));
+  EXPECT_EQ(told.exit_code, 1);
+  EXPECT_NE((told.out + told.error).find("The file holds OBJ"), std::string::npos) << told.out << told.error;
+}
+
 }  // namespace
 }  // namespace hariko::test

@@ -98,6 +98,20 @@ TEST_F(OutlineFiles, OptionsTakeThePlaceOfTheSettings) {
   EXPECT_LT(smooth["rms_curvature_jump"].get<double>(), 0.1 * fair["rms_curvature_jump"].get<double>());
 }
 
+TEST_F(OutlineFiles, FramesAreMetricUnlessToldOtherwise) {
+  const std::string file = golden("gaussmap/ellipsoid_cap.json");
+  for (const char* mode : {"fair", "g2"}) {
+    SCOPED_TRACE(mode);
+    const auto jump = [&](const std::string& options) {
+      return run("info --json --mode " + std::string(mode) + options + " " + file)
+          .object()["rms_curvature_jump"]
+          .get<double>();
+    };
+    EXPECT_EQ(jump(""), jump(" --frames metric"));
+    EXPECT_NE(jump(""), jump(" --frames equal"));
+  }
+}
+
 TEST_F(OutlineFiles, WrongOptionsAreRefused) {
   const std::string file = golden("gaussmap/ellipsoid_cap.json");
   for (const char* options :

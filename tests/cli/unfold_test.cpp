@@ -37,6 +37,20 @@ TEST_F(Unfold, WritesEveryFormatAndSaysWhatItMade) {
   EXPECT_EQ(read_text(path("w.dxf")).rfind("0\nSECTION\n", 0), 0U);
 }
 
+TEST_F(Unfold, WrongSizesAndMissingFoldersAreSaidShortly) {
+  const std::string command = "unfold " + golden("cube.obj") + " ";
+  for (const char* height : {"0", "-3", "inf", "high"}) {
+    const Outcome result = run(command + path("a.pdf") + " --height " + height);
+    EXPECT_EQ(result.exit_code, 2) << height;
+    EXPECT_NE(result.error.find(std::string("--height: should be a number above 0, but is ") + height),
+              std::string::npos)
+        << result.error;
+  }
+  const Outcome missing = run(command + path("none/a.pdf"));
+  EXPECT_NE(missing.error.find("E_FILE_WRITE"), std::string::npos) << missing.error;
+  EXPECT_NE(missing.error.find("its folder does not exist"), std::string::npos) << missing.error;
+}
+
 TEST_F(Unfold, SamplesAndPolyhedraBecomePaper) {
   const std::string sample = test::source_folder() + "/assets/samples/fig2.hariko";
   const Outcome result = run("unfold " + sample + " " + path("v.json") + " --height 120 --steps 1000 --json");

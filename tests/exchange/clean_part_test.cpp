@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "core/polyhedron/polyhedron.hpp"
+#include "core/polyhedron/repair.hpp"
 #include "tests/exchange/fixture_files.hpp"
 
 namespace hariko {
@@ -89,6 +90,62 @@ TEST(CleanPart, CornersOfLooseFacesMayBeFartherApart) {
   CleanReport apart;
   clean(dense, {}, apart);
   EXPECT_EQ(apart.near, 0U);
+}
+
+TEST(CleanPart, BodiesThatShareCornersAreToldApartWithTheirMarks) {
+  const PolygonMesh two = weld(test::together(test::cube(), test::cube(), {2, 2, 0}), 0);
+  ASSERT_EQ(two.positions.size(), 14U);
+  ImportedPart part{two, "two"};
+  part.creases = {{6, 2}};  // where they touch, x = y = 1
+  part.corners = {6};
+  CleanReport report;
+  clean(part, {}, report);
+  EXPECT_EQ(report.apart, 2U);
+  const auto built = Polyhedron::build(part.mesh);
+  ASSERT_TRUE(built.ok()) << to_string(built.error());
+  EXPECT_EQ(built->topology().border_loop_count(), 0U);
+  EXPECT_EQ(part.creases.size(), 2U);
+  for (const auto& [a, b] : part.creases) {
+    EXPECT_NE(built->find(EdgeId::of(VertexId{a}, VertexId{b})), no_index);
+    EXPECT_EQ(part.mesh.positions[a].x(), 1);
+    EXPECT_EQ(part.mesh.positions[b].y(), 1);
+  }
+  EXPECT_EQ(part.corners.size(), 2U);
+  ASSERT_EQ(report.messages().size(), 1U);
+  EXPECT_EQ(report.messages()[0].code, w_bodies_apart);
+}
+
+TEST(CleanPart, CornersOnEdgesAreToldOrTheEdgesAreSplit) {
+  // A tetrahedron of which one face is two triangles that divide the edge 0-1.
+  ImportedPart part;
+  part.mesh.positions = {{0, 0, 0}, {3, 0, 0}, {0, 3, 0}, {0, 0, 3}, {1, 0, 0}};
+  part.mesh.add_face({0, 2, 1});
+  part.mesh.add_face({0, 3, 2});
+  part.mesh.add_face({1, 2, 3});
+  part.mesh.add_face({0, 4, 3});
+  part.mesh.add_face({4, 1, 3});
+  ImportedPart split = part;
+  CleanReport told, done;
+  clean(part, {}, told);
+  EXPECT_EQ(told.on_edges, 1U);
+  EXPECT_EQ(part.mesh.face_count(), 5U) << "nobody asked for it";
+  ASSERT_EQ(told.messages().size(), 1U);
+  EXPECT_EQ(told.messages()[0].code, w_t_joints);
+  EXPECT_NE(told.messages()[0].remedy.find("--repair"), std::string::npos);
+  clean(split, {.split_edges = true}, done);
+  EXPECT_EQ(done.split_edges, 1U);
+  EXPECT_EQ(split.mesh.face_count(), 6U);
+  const auto built = Polyhedron::build(split.mesh);
+  ASSERT_TRUE(built.ok()) << to_string(built.error());
+  EXPECT_EQ(built->topology().border_loop_count(), 0U);
+  // A corner beside an edge, and one whose faces do not run along it, are no T-joints.
+  ImportedPart apart;
+  apart.mesh.positions = {{0, 0, 0}, {3, 0, 0}, {0, 3, 0}, {1, 0, 0}, {0, -3, 0}, {3, -3, 0}};
+  apart.mesh.add_face({0, 1, 2});
+  apart.mesh.add_face({3, 4, 5});
+  CleanReport quiet;
+  clean(apart, {.split_edges = true}, quiet);
+  EXPECT_EQ(quiet.split_edges, 0U);
 }
 
 TEST(CleanPart, TheFlatAndTheCollapsedTriangleOfAnStlAreDropped) {

@@ -212,6 +212,121 @@ TEST(Read3mf, ObjectsThatNothingPlacesAreTakenWhereNothingIsBuilt) {
   EXPECT_EQ(read->parts[0].name, "a");
 }
 
+/// A model with an extension's prefix x that is used and not required.
+std::string with_extension(const std::string& space, const std::string& resources, const std::string& build) {
+  return model(resources, build, "xmlns:x=\"http://schemas.microsoft.com/3dmanufacturing/" + space + "\"");
+}
+
+TEST(Read3mf, ShapesInExtensionsThatAreNotReadAreToldWithTheirObject) {
+  const std::string lattice =
+      "<x:beamlattice radius=\"1\"><x:beams><x:beam v1=\"0\" v2=\"1\"/></x:beams></x:beamlattice>";
+  const std::string
+      beams_beside = with(tetrahedron, "</mesh>", lattice + "</mesh>"),
+      beams =
+          "<mesh><vertices><vertex x=\"0\" y=\"0\" z=\"0\"/><vertex x=\"0\" y=\"0\" z=\"1\"/></vertices>" +
+          lattice + "</mesh>";
+  struct Case {
+    const char* space;
+    std::string object;
+    const char* sentence;
+  };
+  const std::string missing = "The object \"b\" was left out: its shape is in the extension ",
+                    partly = "The object \"b\" lacks a part of its shape: it is in the extension ";
+  for (const Case& c : {
+           Case{"beamlattice/2017/02", "<object id=\"2\" name=\"b\">" + beams_beside + "</object>",
+                partly.c_str()},
+           Case{"beamlattice/2017/02", "<object id=\"2\" name=\"b\">" + beams + "</object>", missing.c_str()},
+           Case{"displacement/2022/07", "<object id=\"2\" name=\"b\"><x:displacementmesh/></object>",
+                missing.c_str()},
+           Case{"slice/2015/07",
+                "<object id=\"2\" name=\"b\" "
+                "x:slicestackid=\"9\"><mesh><vertices/><triangles/></mesh></object>",
+                missing.c_str()},
+           Case{"slice/2015/07",
+                "<object id=\"2\" name=\"b\" x:slicestackid=\"9\" x:meshresolution=\"lowres\">" +
+                    tetrahedron + "</object>",
+                partly.c_str()},
+           Case{"slice/2015/07",
+                "<object id=\"2\" name=\"b\" x:slicestackid=\"9\">" + tetrahedron + "</object>", ""},
+           Case{"trianglesets/2021/07",
+                "<object id=\"2\" name=\"b\">" + with(tetrahedron, "</mesh>", "<x:trianglesets/></mesh>") +
+                    "</object>",
+                ""},
+       }) {
+    const auto read =
+        read_3mf_model(with_extension(c.space, one_object + c.object,
+                                      "<item objectid=\"1\"/><item objectid=\"2\"/><item objectid=\"2\"/>"));
+    ASSERT_TRUE(read.ok()) << to_string(read.error());
+    ASSERT_EQ(read->warnings.size(), *c.sentence ? 1U : 0U) << c.object;
+    if (!*c.sentence) continue;
+    const std::string space = c.space;
+    EXPECT_EQ(read->warnings[0].code, w_left_out);
+    EXPECT_EQ(read->warnings[0].text, c.sentence + ("\"" + space.substr(0, space.find('/'))) +
+                                          "\" (http://schemas.microsoft.com/3dmanufacturing/" + space +
+                                          "), which is not read.");
+  }
+  // Several objects are counted; what nothing places is not.
+  std::string objects = one_object, items = "<item objectid=\"1\"/>";
+  for (int id = 2; id < 6; ++id) {
+    objects += "<object id=\"" + std::to_string(id) + "\" name=\"b" + std::to_string(id) + "\">" + beams +
+               "</object>";
+    if (id < 5) items += "<item objectid=\"" + std::to_string(id) + "\"/>";
+  }
+  const auto read = read_3mf_model(with_extension("beamlattice/2017/02", objects, items));
+  ASSERT_TRUE(read.ok()) << to_string(read.error());
+  ASSERT_EQ(read->warnings.size(), 1U);
+  EXPECT_TRUE(read->warnings[0].text.starts_with("3 objects, first \"b2\", were left out: "))
+      << read->warnings[0].text;
+}
+
+TEST(Read3mf, AFileOfShapesThatAreNotReadNamesTheExtension) {
+  const auto read = read_3mf_model(
+      with_extension("booleanoperations/2023/07",
+                     one_object + "<object id=\"3\" name=\"cut\"><x:booleanshape objectid=\"1\"/></object>",
+                     "<item objectid=\"3\"/>"));
+  ASSERT_EQ(code_of(read), "E_EMPTY");
+  EXPECT_NE(read.error().text.find("\"cut\""), std::string::npos) << read.error().text;
+  EXPECT_NE(read.error().text.find("\"booleanoperations\""), std::string::npos) << read.error().text;
+}
+
+TEST(Read3mf, AnObjectIsNoComponentWhereOneOfItsNumberInAnotherPartIs) {
+  const std::string root =
+      one_object +
+      R"(<object id="2"><components><component objectid="1" p:path="/3D/other.model" transform="1 0 0 0 1 0 0 0 1 3 0 0"/></components></object>)";
+  const auto read =
+      read_3mf(archive({{"3D/3dmodel.model", model(root, "")},
+                        {"3D/other.model", model(with(one_object, "name=\"a\"", "name=\"inner\""), "")}}));
+  ASSERT_TRUE(read.ok()) << to_string(read.error());
+  ASSERT_EQ(read->parts.size(), 2U);
+  EXPECT_EQ(read->parts[0].name, "a");
+  EXPECT_EQ(read->parts[1].name, "inner");
+  EXPECT_EQ(read->parts[1].mesh.positions[1], Vector3(4, 0, 0));
+}
+
+TEST(Read3mf, NamesOfPartsAreFoundEscapedAndWithBackslashes) {
+  const auto relation = [](const char* target) {
+    return R"(<Relationships xmlns="http://schemas.openxmlformats.org/package/2006/relationships"><Relationship Target=")" +
+           std::string(target) +
+           R"(" Id="b" Type="http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel"/></Relationships>)";
+  };
+  const std::string whole = model(one_object, "<item objectid=\"1\"/>");
+  struct Case {
+    const char *relations, *target, *part;
+  };
+  for (const Case& c : {Case{"_rels/.rels", "/3D/my%20model.model", "3D/my model.model"},
+                        Case{"_rels/.rels", "/3D/my%20model.model", "3D/my%20model.model"},
+                        Case{"_rels/.rels", "/3D/my model.model", "3D/my%20model.model"},
+                        Case{"_rels\\.rels", "/3D/m.model", "3D\\m.model"}}) {
+    const auto read = read_3mf(archive({{c.relations, relation(c.target)}, {c.part, whole}}));
+    EXPECT_EQ(code_of(read), "ok") << c.part;
+  }
+  const std::string root =
+      R"(<object id="2"><components><component objectid="1" p:path="/3D/a%20b.model"/></components></object>)";
+  EXPECT_EQ(code_of(read_3mf(archive({{"3D/3dmodel.model", model(root, "<item objectid=\"2\"/>")},
+                                      {"3D/a b.model", model(one_object, "")}}))),
+            "ok");
+}
+
 TEST(Read3mf, PartsOfThePackageAreFound) {
   const std::string relations =
       R"(<Relationships xmlns="http://schemas.openxmlformats.org/package/2006/relationships"><Relationship Target="/x/Thumb.png" Id="a" Type="http://schemas.openxmlformats.org/package/2006/relationships/metadata/thumbnail"/><Relationship Target="/x/Root.model" Id="b" Type="http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel"/></Relationships>)";

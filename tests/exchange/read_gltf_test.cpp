@@ -156,6 +156,9 @@ TEST(ReadGltf, NodesPlaceMeshesAndMirrorsKeepTheirOutside) {
     return std::any_of(found.begin(), found.end(),
                        [&](const Vector3& p) { return (p - from_file(corner)).norm() < 1e-9; });
   };
+  ASSERT_EQ(read->warnings.size(), 1U);
+  EXPECT_EQ(read->warnings[0].code, w_left_out);
+  EXPECT_EQ(read->warnings[0].text, "An object of another scene of the file was left out.");
   EXPECT_EQ(read->parts[0].name, "turned");
   EXPECT_EQ(read->parts[1].name, "mesh");
   EXPECT_EQ(read->parts[2].name, "sheared");
@@ -218,6 +221,7 @@ TEST(ReadGltf, EachRefusalHasItsReason) {
                 "E_FORMAT_UNKNOWN"},
            Case{"\"scene\": 0,", "\"extensionsRequired\": [7],", "E_FORMAT_UNKNOWN"},
            Case{"\"scene\": 0,", "\"extensionsRequired\": [\"KHR_materials_unlit\"],", "ok"},
+           Case{"\"scene\": 0,", "\"extensionsRequired\": [\"KHR_techniques_webgl\"],", "ok"},
            Case{"\"byteOffset\": 0}", "\"byteOffset\": 0, \"sparse\": {}}", "E_PARSE"},
            Case{"\"mesh\": 0", "\"mesh\": 0, \"skin\": 0", "E_PARSE"},
            Case{"\"name\": \"part\"", "\"extensions\": {\"EXT_mesh_gpu_instancing\": {}}", "E_PARSE"},
@@ -335,12 +339,14 @@ TEST(ReadGltf, BuffersBesideAreReadFromTheFolder) {
   };
   test::spill(folder.path() / "10%.bin", layout.binary());
   test::spill(folder.path() / "c%41d.bin", layout.binary());
-  for (const char* uri : {"a%20b.bin", "a b.bin", "./in/../a%20b.bin", "in/c.bin", "10%.bin", "c%41d.bin"}) {
+  for (const char* uri : {"a%20b.bin", "a b.bin", "./in/../a%20b.bin", "in/c.bin", "10%.bin", "c%41d.bin",
+                          "in\\\\c.bin", ".\\\\in%5Cc.bin"}) {
     const auto scene = read(uri);
     ASSERT_TRUE(scene.ok()) << to_string(scene.error());
     EXPECT_EQ(scene->parts[0].mesh.face_count(), 4U);
   }
-  for (const char* uri : {"none.bin", "in", ".", "%2e%2e/a%20b.bin", "file:a%20b.bin", "a%2", "%00"}) {
+  for (const char* uri :
+       {"none.bin", "in", ".", "%2e%2e/a%20b.bin", "file:a%20b.bin", "a%2", "%00", "..\\\\a b.bin"}) {
     const auto scene = read(uri);
     EXPECT_EQ(gltf_code_of(scene), "E_FILE_OPEN") << uri;
     EXPECT_NE(scene.error().text.find("a.gltf"), std::string::npos);

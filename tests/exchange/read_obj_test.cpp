@@ -71,7 +71,21 @@ TEST(ReadObj, NameIsTheFirstObjectElseTheFirstGroup) {
   EXPECT_EQ(read_obj(triangle + "g side\no  Car body \no other\nf 1 2 3\n")->name, "Car body");
   EXPECT_EQ(read_obj(triangle + "g side\nf 1 2 3\n")->name, "side");
   EXPECT_EQ(read_obj(triangle + "f 1 2 3\n")->name, "");
-  EXPECT_EQ(read_obj(triangle + "o a\xff\x01z 張り子\nf 1 2 3\n")->name, "a??z 張り子");
+  EXPECT_EQ(read_obj(triangle + "o a\x01z 張り子\nf 1 2 3\n")->name, "a?z 張り子");
+}
+
+TEST(ReadObj, NamesInOldEncodingsAreReadAndTold) {
+  const auto western = read_obj(triangle + "o T\xfcr\nf 1 2 3\n");
+  ASSERT_TRUE(western.ok());
+  EXPECT_EQ(western->name, "Tür");
+  ASSERT_EQ(western->warnings.size(), 1U);
+  EXPECT_EQ(western->warnings[0].code, w_name_letters);
+  EXPECT_TRUE(western->warnings[0].text.starts_with("1 letters of the OBJ file"))
+      << western->warnings[0].text;
+  const auto japanese = read_obj(triangle + "g \x92\xa3\x82\xe8\x8e\x71\nf 1 2 3\n");  // Shift-JIS
+  ASSERT_TRUE(japanese.ok());
+  EXPECT_EQ(japanese->name, "張り子");
+  EXPECT_TRUE(read_obj(triangle + "o Tür\nf 1 2 3\n")->warnings.empty());
 }
 
 TEST(ReadObj, IgnoredStatementsAreSilentAndUnknownOnesGiveOneWarning) {
@@ -207,6 +221,113 @@ TEST(ReadObj, BezierSurfacesAreObjectsOfPatches) {
   EXPECT_EQ(code(test::with(text, "0.5", "-1")), "E_PATCH_WEIGHTS");
   EXPECT_EQ(code(test::with(text, "parm u 0 1 2", "parm u 0 1")), "E_PARSE");
   EXPECT_EQ(code("cstype bspline\nv 0 0 0\nsurf 0 1 0 1 1\n"), "E_EMPTY");
+}
+
+/// One bicubic patch over 0 .. 3 by 0 .. 3, heights from a polynomial of its parameters, as statements.
+std::string bicubic(const std::string& range, const std::string& body) {
+  std::string out, numbers;
+  for (int j = 0; j < 4; ++j)
+    for (int i = 0; i < 4; ++i) {
+      out +=
+          "v " + std::to_string(i) + " " + std::to_string(j) + " " + std::to_string(i * i * (j + 1)) + "\n";
+      numbers += " " + std::to_string(4 * j + i + 1);
+    }
+  return out + "cstype bezier\ndeg 3 3\nsurf " + range + numbers + "\n" + body + "end\n";
+}
+
+/// Point of a patch by the definition: Bernstein polynomials.
+Vector3 bernstein_point(const BezierPatch& patch, double s, double t) {
+  const auto value = [](int n, int i, double x) {
+    double binomial = 1;
+    for (int k = 0; k < i; ++k) binomial = binomial * (n - k) / (k + 1);
+    return binomial * std::pow(x, i) * std::pow(1 - x, n - i);
+  };
+  Vector3 sum = Vector3::Zero();
+  double weights = 0;
+  for (int j = 0; j <= patch.degree_t; ++j)
+    for (int i = 0; i <= patch.degree_s; ++i) {
+      const std::size_t at = patch.index(i, j);
+      const double w = value(patch.degree_s, i, s) * value(patch.degree_t, j, t) *
+                       (patch.rational() ? patch.weights[at] : 1);
+      sum += w * patch.points[at];
+      weights += w;
+    }
+  return sum / weights;
+}
+
+TEST(ReadObj, SurfacesEndAtTheirParameterRange) {
+  const std::string knots = "parm u 0 1\nparm v 0 2\n";
+  for (const bool rational : {false, true}) {
+    const auto read = [&](const std::string& range) {
+      std::string text = bicubic(range, knots);
+      if (rational) text = test::with(test::with(text, "bezier", "rat bezier"), "v 1 1 2\n", "v 1 1 2 3\n");
+      auto scene = read_obj_scene(text);
+      EXPECT_TRUE(scene.ok()) << to_string(scene.error());
+      EXPECT_TRUE(scene->warnings.empty());
+      return scene->patches.at(0).patches.at(0);
+    };
+    const BezierPatch whole = read("0 1 0 2"), part = read("0.25 0.75 0.5 2");
+    for (const double s : {0.0, 0.3, 1.0})
+      for (const double t : {0.0, 0.6, 1.0})
+        EXPECT_LT(
+            (bernstein_point(part, s, t) - bernstein_point(whole, 0.25 + s / 2, 0.25 + t * 0.75)).norm(),
+            1e-12)
+            << s << " " << t;
+    EXPECT_EQ(read("0 9 -1 7"), whole) << "the knots end it";
+    EXPECT_EQ(read("5 6 0 2"), whole) << "a range beside the knots says nothing";
+  }
+  // Pieces outside the range are gone.
+  std::string numbers;
+  for (int k = 1; k <= 28; ++k) numbers += " " + std::to_string(k);
+  const auto second = read_obj_scene(net(7, 4) + "cstype bezier\ndeg 3 3\nsurf 1 2 0 1" + numbers +
+                                     "\nparm u 0 1 2\nparm v 0 1\nend\n");
+  ASSERT_TRUE(second.ok()) << to_string(second.error());
+  ASSERT_EQ(second->patches.at(0).patches.size(), 1U);
+  EXPECT_EQ(second->patches[0].patches[0].points[0], Vector3(3, 0, 0));
+}
+
+TEST(ReadObj, FreeFormsThatAreLeftOutAreCounted) {
+  const std::string knots = "parm u 0 1\nparm v 0 1\n";
+  const auto texts = [](const std::string& text) {
+    const auto scene = read_obj_scene(text);
+    std::vector<std::string> out;
+    if (!scene.ok()) return std::vector<std::string>{to_string(scene.error())};
+    for (const Message& warning : scene->warnings) {
+      EXPECT_EQ(warning.code, w_left_out);
+      out.push_back(warning.text);
+    }
+    return out;
+  };
+  using Texts = std::vector<std::string>;
+  const std::string patch = bicubic("0 1 0 1", knots), faces = triangle + "f 1 2 3\n";
+  EXPECT_EQ(texts(patch), Texts{});
+  EXPECT_EQ(texts(bicubic("0 1 0 1", knots + "trim 0 4 1\nhole 0 4 2\n")),
+            Texts{"A surface is there as a whole: the curves that trim it were left out."});
+  EXPECT_EQ(texts(faces + "cstype bezier\ndeg 3\ncurv 0 1 1 2 3 1\nparm u 0 1\nend\ncdc 1 2 3 1\n"),
+            Texts{"2 free-form curves were left out."});
+  EXPECT_EQ(texts(faces + "call more.obj\n"), Texts{"The file takes in \"more.obj\", which is not read."});
+  EXPECT_EQ(texts(faces + "call a.obj\ncall b.obj\n"),
+            Texts{"The file takes in 2 other files, first \"a.obj\", which are not read."});
+  EXPECT_EQ(texts(faces + "t hole 1/0/0 0\n"), Texts{"A face that the file marks as a hole is closed here."});
+  EXPECT_EQ(texts(faces + "t hole 2/0/0 0 1\nt hole 1/0/0 2\n"),
+            Texts{"3 faces that the file marks as holes are closed here."});
+  // The older statements: a Bezier patch is read, others are not.
+  const std::string points = patch.substr(0, patch.find("cstype")),
+                    sixteen = " 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16\n";
+  const auto old = read_obj_scene(points + "bzp" + sixteen), now = read_obj_scene(patch);
+  ASSERT_TRUE(old.ok()) << to_string(old.error());
+  EXPECT_EQ(old->patches.at(0).patches, now->patches.at(0).patches);
+  EXPECT_EQ(texts(faces + "bsp 1 2 3\ncdp 1 2 3\n"),
+            Texts{"2 free-form surfaces that are no Bezier surfaces were left out."});
+  // Alone, they are the reason.
+  for (const char* kind :
+       {"cstype bspline\ndeg 3 3\nsurf 0 1 0 1", "cstype cardinal\ndeg 3 3\nsurf 0 1 0 1", "bsp"}) {
+    const auto alone = read_obj_scene(points + kind + sixteen);
+    ASSERT_FALSE(alone.ok());
+    EXPECT_EQ(alone.error().code, e_empty);
+    EXPECT_NE(alone.error().text.find("A free-form surface that is no Bezier surface"), std::string::npos)
+        << alone.error().text;
+  }
 }
 
 struct Bad {

@@ -15,7 +15,8 @@ const std::string three_points = "0 0 0\n1 0 0\n0 1 0\n";
 TEST(ReadOff, HeadersOfAllKindsGiveTheSameMesh) {
   for (const std::string header :
        {"OFF\n3 2 0\n", "OFF 3 2 0\n", "# made by hand\nOFF # keyword\n\n3 2\n", "3 2 0\n", "COFF\n3 2 0\n",
-        "NOFF 3 2 5\n", "STCNOFF\n3 2 0\n", "\xEF\xBB\xBFOFF\r3 2 0\r"}) {
+        "NOFF 3 2 5\n", "STCNOFF\n3 2 0\n", "off\n3 2 0\n", "Off 3 2\n", "noff\n3 2 0\n",
+        "\xEF\xBB\xBFOFF\r3 2 0\r"}) {
     const auto result = read_off(header + three_points + "3 0 1 2\n4 2 1 0 1 255 0 0\n");
     ASSERT_TRUE(result.ok()) << header << to_string(result.error());
     test::expect_sound(result->mesh);
@@ -45,6 +46,29 @@ TEST(ReadOff, ColoursAndNormalsOfVerticesAreIgnored) {
       read_off("COFF\n3 1 0\n0 0 0 255 0 0 255\n1 0 0 0.5 0.5 0.5 1\n\n0 1 0 # no colour\n3 0 1 2 map\n");
   ASSERT_TRUE(result.ok()) << to_string(result.error());
   EXPECT_EQ(result->mesh.positions[2], Vector3(0, 1, 0));
+}
+
+TEST(ReadOff, WordsCountAndNotLines) {
+  const std::string lines = "OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 2 3\n";
+  const auto expected = read_off(lines);
+  ASSERT_TRUE(expected.ok());
+  for (const char* text :
+       {"OFF\n4 2 0\n0 0 0 1 0 0\n1 1 0 0 1 0\n3 0 1 2\n3 0 2 3\n",              // two vertices a line
+        "OFF\n4 2 0\n0 0 0 1 0 0 1 1 0 0 1 0\n3 0 1 2 3 0 2 3\n",                // as it comes
+        "OFF 4 2 0 0 0 0 1 0 0 1 1 0 0 1 0 3 0 1 2 3 0 2 3",                     // one line
+        "OFF\n4\n2\n0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 2 3\n",          // counts
+        "OFF\n4 2 0\n0\n0 0\n1 0 0\n1 1 0\n0 1 0 # c\n3\n0 1\n2\n3 0 2\n3\n",    // anywhere
+        "OFF\n4 2 0\n0 0 0 1 0 0\n1 1 0 0 1 0\n3 0 1 2 255 0 0\n3 0 2 3 map\n",  // colours
+        "NOFF\n4 2 0\n0 0 0 0 0 1 1 0 0 0 0 1\n1 1 0 0 0 1 0 1 0 0 0 1\n3 0 1 2\n3 0 2 3\n"}) {
+    const auto read = read_off(text);
+    ASSERT_TRUE(read.ok()) << text << to_string(read.error());
+    EXPECT_EQ(read->mesh.positions, expected->mesh.positions) << text;
+    EXPECT_EQ(read->mesh.face_vertices, expected->mesh.face_vertices) << text;
+    EXPECT_TRUE(read->warnings.empty()) << text;
+  }
+  // What such a file lacks, or has too much, is not made up.
+  EXPECT_FALSE(read_off("OFF\n4 2 0\n0 0 0 1 0 0\n1 1 0 0 1 0\n3 0 1 2\n3 0 2\n").ok());
+  EXPECT_FALSE(read_off("OFF\n4 2 0\n0 0 0 1 0 0\n1 1 0 0 1 0\n3 0 1 2\n3 0 2 3\n7\n").ok());
 }
 
 TEST(ReadOff, DataAfterTheLastFaceGivesAWarning) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstring>
 
 #include "core/exchange/repair/point_welder.hpp"
@@ -144,6 +145,53 @@ TEST(ReadStl, TextWithoutItsEndIsReadWithAWarning) {
   ASSERT_TRUE(several.ok()) << to_string(several.error());
   EXPECT_EQ(several->mesh.face_count(), 4U);
   EXPECT_EQ(several->name, "a");
+}
+
+TEST(ReadStl, EachSolidIsAPartWithItsName) {
+  const std::string left = facet("0 0 0", "1 0 0", "0 1 0"), right = facet("0 0 0", "0 1 0", "0 0 1");
+  for (const std::string& text :
+       {"solid left side\n" + left + "endsolid left side\nsolid empty\nendsolid\nsolid right\n" + right +
+            "endsolid\n",
+        "solid left side\n" + left + "solid right\n" + right + "endsolid right\n"}) {
+    const auto scene = read_stl_scene(text);
+    ASSERT_TRUE(scene.ok()) << to_string(scene.error());
+    ASSERT_EQ(scene->parts.size(), 2U);
+    EXPECT_EQ(scene->parts[0].name, "left side");
+    EXPECT_EQ(scene->parts[1].name, "right");
+    for (const ImportedPart& part : scene->parts) {
+      test::expect_sound(part.mesh);
+      EXPECT_EQ(part.mesh.positions.size(), 3U) << "solids share no corners";
+    }
+  }
+  // Limits hold for all solids together.
+  EXPECT_EQ(outcome(read_stl("solid\n" + left + "endsolid\nsolid\n" + right + "endsolid\n",
+                             {.vertices = 99, .corners = 5})),
+            "E_LIMIT 15");
+}
+
+TEST(ReadStl, BlanksAndLineEndsAreAlike) {
+  const std::string text = "solid facet of two\n" + two_facets + "endsolid facet of two\nsolid b\n" +
+                           facet("0 0 0", "0 1 0", "0 0 1") + "endsolid b\n";
+  std::string one_line = text, many_lines = text;
+  std::replace(one_line.begin(), one_line.end(), '\n', ' ');
+  const std::size_t begin = text.find('\n');  // a name ends with its line
+  for (std::size_t k = begin; k < text.find("endsolid"); ++k)
+    if (many_lines[k] == ' ') many_lines[k] = '\n';
+  for (const std::string& form : {text, one_line, many_lines}) {
+    const auto scene = read_stl_scene(form);
+    ASSERT_TRUE(scene.ok()) << to_string(scene.error()) << form;
+    ASSERT_EQ(scene->parts.size(), 2U) << form;
+    EXPECT_EQ(scene->parts[0].name, "facet of two");
+    EXPECT_EQ(scene->parts[0].mesh.face_count(), 2U);
+    EXPECT_EQ(scene->parts[1].name, "b");
+    EXPECT_TRUE(scene->warnings.empty());
+  }
+}
+
+TEST(ReadStl, OtherTextIsNotCalledCutOff) {
+  std::string text;
+  for (int k = 0; k < 20; ++k) text += "This is a letter.\n";
+  EXPECT_EQ(outcome(read_stl(text)), "E_FORMAT_UNKNOWN 0");
 }
 
 TEST(ReadStl, TruncationAtEveryByteIsHandled) {

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "core/geometry/polygon.hpp"
+#include "core/polyhedron/repair.hpp"
 #include "core/unfolding/cut_large_faces.hpp"
 #include "core/unfolding/face_triangles.hpp"
 #include "core/unfolding/join_corners.hpp"
@@ -236,6 +237,32 @@ TEST(CutLargeFaces, ConcaveFacesAreCutToo) {
   const auto graph = FacetGraph::build(cut->mesh);
   ASSERT_TRUE(graph.ok()) << graph.error().text;
   EXPECT_EQ(graph->component_count(), 1U);
+}
+
+TEST(JoinCorners, AOneSidedStripStaysCut) {
+  for (const int count : {3, 7, 15}) {
+    PolygonMesh strip;
+    for (int k = 0; k < count; ++k)
+      for (const int side : {-1, 1}) {
+        const double a = 2 * pi * k / count, r = 4 + side * std::cos(a / 2);
+        strip.positions.emplace_back(r * std::cos(a), r * std::sin(a), side * std::sin(a / 2));
+      }
+    const auto at = [&](int k, int side) {
+      return static_cast<Index>(2 * (k % count) + (k >= count ? 1 - side : side));
+    };
+    for (int k = 0; k < count; ++k) {
+      strip.add_face({at(k, 0), at(k + 1, 0), at(k + 1, 1)});
+      strip.add_face({at(k, 0), at(k + 1, 1), at(k, 1)});
+    }
+    EXPECT_FALSE(FacetGraph::build(strip).ok());
+    const auto repaired = make_manifold(strip);
+    ASSERT_TRUE(repaired.ok());
+    PolygonMesh cut = repaired->mesh;
+    EXPECT_EQ(join_equal_corners(cut), 0U) << count;
+    const auto graph = FacetGraph::build(cut);
+    ASSERT_TRUE(graph.ok()) << graph.error().text;
+    EXPECT_EQ(graph->component_count(), 1U);
+  }
 }
 
 }  // namespace

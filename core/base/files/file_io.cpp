@@ -220,6 +220,9 @@ Result<Done> write_file_atomic(const std::filesystem::path& path, std::string_vi
     // Nobody else may read the copy before it has the old file's permissions.
     descriptor = layer.create(temporary, *mode < 0 ? 0666U : 0600U);
   }
+  if (descriptor == -ENOENT)
+    return make_error(e_file_write, quoted(path) + " cannot be written: its folder does not exist.",
+                      "Create the folder, or choose another one.");
   if (descriptor < 0) return write_error(path, reason_of(-descriptor));
 
   int result = fill_temporary(layer, descriptor, bytes, *mode);

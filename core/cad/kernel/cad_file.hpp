@@ -51,6 +51,7 @@ struct CadFileOptions {
 /// Statistics and verdict of the kernel on a model.
 struct CadFileReport {
   std::size_t solids = 0, open_shells = 0, faces = 0;
+  std::size_t voids = 0;      ///< hollow spaces in the solids
   bool valid = false;         ///< BRepCheck_Analyzer finds no fault
   double edge_tolerance = 0;  ///< largest tolerance of an edge, millimetres
   /// Objects whose names lost letters, as IGES has ASCII only.
@@ -64,8 +65,9 @@ struct CadFile {
 };
 
 /// STEP or IGES file of objects. Each object becomes a part with its name and colour: one solid for each
-/// closed shell, and its open shells. Errors: E_NO_CAD_KERNEL, E_CAD_KERNEL (with the kernel's own message),
-/// E_CANCELLED. Calls are serialised, as the kernel keeps its settings for the whole process.
+/// closed shell that is no void of another (`cad_shells`), with its voids, and its open shells. Errors:
+/// E_NO_CAD_KERNEL, E_CAD_KERNEL (with the object's name and the kernel's own message), E_CANCELLED. Calls
+/// are serialised, as the kernel keeps its settings for the whole process.
 Result<CadFile> make_cad_file(std::span<const CadObject> objects, const CadFileOptions& options,
                               const CancelToken& cancel = {}, const Progress& progress = {});
 

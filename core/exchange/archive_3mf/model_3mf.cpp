@@ -17,6 +17,7 @@ constexpr std::size_t max_objects = 1'000'000;
 constexpr std::string_view core_namespace = "http://schemas.microsoft.com/3dmanufacturing/core/2015/02";
 constexpr std::string_view production_namespace =
     "http://schemas.microsoft.com/3dmanufacturing/production/2015/06";
+constexpr std::string_view slice_namespace = "http://schemas.microsoft.com/3dmanufacturing/slice/2015/07";
 /// Namespaces of extensions that files may require: they are read, or do not affect shapes.
 constexpr std::array<std::string_view, 4> known_namespaces{
     core_namespace, production_namespace, "http://schemas.microsoft.com/3dmanufacturing/material/2015/02",
@@ -114,6 +115,7 @@ class ModelParser3mf::Handler final : public XmlTarget {
   void start(std::string_view name, const XmlAttributes& attributes) override {
     const Tag parent = stack_.back(), tag = tag_in(parent, name);
     stack_.push_back(tag);
+    if (parent == Tag::object || parent == Tag::mesh) note_extension(name);
     if (tag == Tag::model) return start_model(attributes);
     if (tag == Tag::object) return start_object(attributes);
     if (tag != Tag::leaf) return;
@@ -122,7 +124,14 @@ class ModelParser3mf::Handler final : public XmlTarget {
     if (const auto placed = placed_by(attributes))
       (parent == Tag::build ? model_.build : object_->components).push_back(*placed);
   }
-  void end() override { stack_.pop_back(); }
+  void end() override {
+    const Tag tag = stack_.back();
+    stack_.pop_back();
+    if (tag != Tag::object || !object_ || !slices_) return;
+    // Slices beside a whole mesh only repeat it.
+    const bool alone = object_->mesh.face_count() == 0 && object_->components.empty();
+    if (alone || coarse_) object_->unread.insert(extension_name(std::string(slice_namespace)));
+  }
 
  private:
   void start_model(const XmlAttributes& attributes) {
@@ -157,6 +166,17 @@ class ModelParser3mf::Handler final : public XmlTarget {
     return {};
   }
 
+  /// Notes an element of an extension that may add to the shape of the present object.
+  void note_extension(std::string_view name) {
+    const std::size_t end = name.rfind(XmlReader::separator);
+    if (end == std::string_view::npos || !object_) return;
+    const std::string_view uri = name.substr(0, end);
+    const bool alternatives = uri.starts_with("http://schemas.microsoft.com/3dmanufacturing/production/");
+    if (!alternatives &&
+        std::find(known_namespaces.begin(), known_namespaces.end(), uri) == known_namespaces.end())
+      object_->unread.insert(extension_name(std::string(uri)));
+  }
+
   void start_object(const XmlAttributes& attributes) {
     const auto id = number(attributes, "id");
     if (!id) return;
@@ -166,6 +186,9 @@ class ModelParser3mf::Handler final : public XmlTarget {
     if (!added) return xml_.refuse(e_parse, "Object " + std::to_string(*id) + " is there twice.");
     object_ = &at->second;
     if (const char* name = attributes.find("name")) object_->name = sanitized_utf8(name, 200);
+    slices_ = attributes.find(slice_stack_) != nullptr;
+    const char* resolution = attributes.find(slice_resolution_);
+    coarse_ = resolution && std::string_view(resolution) == "lowres";
   }
 
   void add_vertex(const XmlAttributes& attributes) {
@@ -240,10 +263,15 @@ class ModelParser3mf::Handler final : public XmlTarget {
   XmlReader xml_;
   Model3mf model_;
   bool model_found_ = false;
-  Object3mf* object_ = nullptr;
+  Object3mf* object_ = nullptr;  ///< object that began last
+  bool slices_ = false;          ///< it has slices
+  bool coarse_ = false;          ///< its mesh is a coarse one, and its slices are exact
   std::vector<Tag> stack_{Tag::document};
   std::map<std::string, std::string> prefixes_;
   const std::string production_path_ = std::string(production_namespace) + XmlReader::separator + "path";
+  const std::string slice_stack_ = std::string(slice_namespace) + XmlReader::separator + "slicestackid";
+  const std::string slice_resolution_ =
+      std::string(slice_namespace) + XmlReader::separator + "meshresolution";
   std::size_t vertices_ = 0, corners_ = 0;
 };
 

@@ -6,6 +6,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -28,6 +29,7 @@ struct Object3mf {
   std::string name;
   PolygonMesh mesh;                   ///< triangles, indices in range
   std::vector<Placed3mf> components;  ///< instead of a mesh
+  std::set<std::string> unread;  ///< extensions, as messages name them, with content that shapes the object
 };
 
 /// Contents of a model part.

@@ -9,6 +9,7 @@
 #include <set>
 #include <utility>
 
+#include "core/base/files/file_uri.hpp"
 #include "core/exchange/archive_3mf/model_3mf.hpp"
 #include "core/exchange/archive_3mf/xml_reader.hpp"
 #include "core/exchange/archive_3mf/zip_reader.hpp"
@@ -23,6 +24,7 @@ constexpr const char* usual_part = "3D/3dmodel.model";
 constexpr const char* relationships_part = "_rels/.rels";
 constexpr std::string_view model_relationship =
     "http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel";
+constexpr const char* remedy_plain = "Export the model as plain triangles.";
 constexpr std::size_t max_nesting = 64, max_placements = 100'000;
 
 /// Unit that a document can have: the file's own, or millimetres in place of other units.
@@ -45,6 +47,46 @@ class RelationshipTarget final : public XmlTarget {
       part = without_slash(target);
   }
   std::optional<std::string> part;
+};
+
+/// Objects whose shape is incomplete or missing, as extensions that are not read hold the rest.
+class UnreadShapes {
+ public:
+  /// Notes a placed object; `title` names it in messages.
+  void note(const Object3mf& object, const std::string& title) {
+    const bool missing = object.mesh.face_count() == 0 && object.components.empty();
+    for (const std::string& extension : object.unread) {
+      Objects& objects = extensions_[extension][missing ? 1 : 0];
+      if (objects.count++ == 0) objects.first = title;
+    }
+  }
+  std::vector<std::string> sentences() const {
+    std::vector<std::string> out;
+    for (const auto& [extension, objects] : extensions_)
+      for (const bool missing : {true, false})
+        if (const Objects& of = objects[missing ? 1 : 0]; of.count > 0)
+          out.push_back(sentence(extension, of, missing));
+    return out;
+  }
+
+ private:
+  struct Objects {
+    std::size_t count = 0;
+    std::string first;
+  };
+  static std::string sentence(const std::string& extension, const Objects& objects, bool missing) {
+    const std::string end = extension + ", which is not read.";
+    if (objects.count == 1)
+      return "The object " + objects.first +
+             (missing ? " was left out: its shape is in the extension "
+                      : " lacks a part of its shape: it is in the extension ") +
+             end;
+    return std::to_string(objects.count) + " objects, first " + objects.first +
+           (missing ? ", were left out: their shapes are in the extension "
+                    : ", lack parts of their shapes: they are in the extension ") +
+           end;
+  }
+  std::map<std::string, std::array<Objects, 2>> extensions_;  ///< incomplete objects, and missing ones
 };
 
 /// Objects of the parts of a package.
@@ -73,6 +115,16 @@ class Package {
     return &models_.insert_or_assign(part, std::move(model)).first->second;
   }
 
+  /// Name of a part as the archive spells it: as written, with percent escapes decoded, or with blanks
+  /// escaped; as written where there is none of them.
+  std::string spelled(const std::string& name) const {
+    if (!zip_ || zip_->has(name)) return name;
+    if (const auto decoded = without_escapes(name); decoded && zip_->has(*decoded)) return *decoded;
+    std::string escaped;
+    for (const char c : name) escaped += c == ' ' ? std::string("%20") : std::string(1, c);
+    return zip_->has(escaped) ? escaped : name;
+  }
+
   /// Name of the root model part, which has the build.
   Result<std::string> root() {
     RelationshipTarget target;
@@ -85,6 +137,7 @@ class Package {
       if (!unpacked) return unpacked.error();
       if (const auto error = xml.finish()) return *error;
     }
+    if (target.part) target.part = spelled(*target.part);
     if (target.part && zip_->has(*target.part)) return *target.part;
     return make_error(e_format_unknown, "This archive holds no model of 3MF.",
                       "Check that the file is a model in 3MF format.");
@@ -112,10 +165,15 @@ class SceneReader {
     Placement units;
     if (metres != (*model)->metres_per_unit) units.linear *= (*model)->metres_per_unit / metres;
     metres_ = (*model)->metres_per_unit;
-    for (const Placed3mf& item : placed_by(**model))
+    for (const Placed3mf& item : placed_by(**model, root))
       if (auto error = place(item, root, units, "", 0)) return *error;
     for (const auto& [part, read] : package_.models()) collector_.note_degenerate(read.degenerate);
+    const std::vector<std::string> unread = unread_.sentences();
+    for (const std::string& sentence : unread)
+      collector_.warn(make_warning(w_left_out, sentence, remedy_plain));
     auto scene = collector_.finish();
+    if (!scene && scene.error().code == e_empty && !unread.empty())
+      return make_error(e_empty, unread.front(), remedy_plain);
     if (scene) scene.value().metres_per_unit = metres;
     return scene;
   }
@@ -124,15 +182,21 @@ class SceneReader {
   using Key = std::pair<std::string, std::uint64_t>;  // a part, and the number of an object in it
 
   /// Items of the build or, without a build, all objects that are not components.
-  static std::vector<Placed3mf> placed_by(const Model3mf& model) {
+  std::vector<Placed3mf> placed_by(const Model3mf& model, const std::string& root) const {
     if (!model.build.empty()) return model.build;
     std::set<std::uint64_t> components;
     for (const auto& [id, object] : model.objects)
-      for (const Placed3mf& component : object.components) components.insert(component.object);
+      for (const Placed3mf& component : object.components)
+        if (part_of(component, root) == root) components.insert(component.object);
     std::vector<Placed3mf> out;
     for (const auto& [id, object] : model.objects)
       if (!components.contains(id)) out.push_back({id, {}, {}, 0});
     return out;
+  }
+
+  /// Name of the part with a placed object; `from`: the part that places it.
+  std::string part_of(const Placed3mf& placed, const std::string& from) const {
+    return placed.part.empty() ? from : package_.spelled(without_slash(placed.part));
   }
 
   static Message wrong(const Placed3mf& placed, const std::string& part, const std::string& sentence) {
@@ -145,7 +209,7 @@ class SceneReader {
   /// nearest enclosing object that has one.
   std::optional<Message> place(const Placed3mf& placed, const std::string& from, const Placement& above,
                                const std::string& name, std::size_t depth) {
-    const std::string part = placed.part.empty() ? from : without_slash(placed.part);
+    const std::string part = part_of(placed, from);
     const auto model = package_.model(part);
     if (!model) return model.error();
     const auto found = (*model)->objects.find(placed.object);
@@ -168,6 +232,8 @@ class SceneReader {
     if (auto error = collector_.reserve(object.mesh.positions.size(), object.mesh.face_vertices.size()))
       return error;
     if (auto error = collector_.add(object.mesh, placement, own)) return error;
+    if (noted_.insert(key).second)
+      unread_.note(object, own.empty() ? std::to_string(placed.object) : quote(own));
     on_the_way_.insert(key);
     for (const Placed3mf& component : object.components)
       if (auto error = place(component, part, placement, own, depth + 1)) return error;
@@ -178,7 +244,8 @@ class SceneReader {
   Package& package_;
   SceneCollector collector_;
   double metres_ = 0.001;
-  std::set<Key> on_the_way_;
+  std::set<Key> on_the_way_, noted_;
+  UnreadShapes unread_;
   std::size_t placements_ = 0;
   std::uint64_t counted_ = 0;
 };

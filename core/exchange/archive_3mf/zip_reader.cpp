@@ -2,6 +2,7 @@
 
 #include <zip.h>
 
+#include <algorithm>
 #include <vector>
 
 #include "core/exchange/imported_mesh.hpp"
@@ -48,19 +49,30 @@ Result<ZipReader> ZipReader::open(std::string_view bytes) {
                     "The file was cut off: copy or export it again.");
 }
 
+/// Index of a part, negative where there is none. Some programs write the folders of names with backslashes.
+std::int64_t ZipReader::locate(const std::string& name) const {
+  const std::int64_t found = zip_name_locate(archive_->zip, name.c_str(), ZIP_FL_NOCASE);
+  if (found >= 0 || name.find('/') == std::string::npos) return found;
+  std::string other = name;
+  std::replace(other.begin(), other.end(), '/', '\\');
+  return zip_name_locate(archive_->zip, other.c_str(), ZIP_FL_NOCASE);
+}
+
 bool ZipReader::has(const std::string& name) const {
-  return zip_name_locate(archive_->zip, name.c_str(), ZIP_FL_NOCASE) >= 0;
+  return locate(name) >= 0;
 }
 
 std::uint64_t ZipReader::size(const std::string& name) const {
   zip_stat_t status;
-  const bool known = zip_stat(archive_->zip, name.c_str(), ZIP_FL_NOCASE, &status) == 0 &&
+  const std::int64_t index = locate(name);
+  const bool known = index >= 0 &&
+                     zip_stat_index(archive_->zip, static_cast<zip_uint64_t>(index), 0, &status) == 0 &&
                      (status.valid & ZIP_STAT_SIZE) != 0;
   return known ? status.size : 0;
 }
 
 Result<Done> ZipReader::unpack(const std::string& name, const Sink& sink) {
-  const zip_int64_t index = zip_name_locate(archive_->zip, name.c_str(), ZIP_FL_NOCASE);
+  const std::int64_t index = locate(name);
   if (index < 0)
     return make_error(e_parse, "The part " + quote(name) + " is missing.",
                       "Correct the file, or export it again.");

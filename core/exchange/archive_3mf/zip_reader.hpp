@@ -22,17 +22,20 @@ class ZipReader {
 
   /// Receiver of unpacked bytes; returning false ends the unpacking.
   using Sink = std::function<bool(std::string_view piece)>;
-  /// Whether the archive has a part of this name; names are case-insensitive.
+  /// Whether the archive has a part of this name; names are case-insensitive, and a slash also stands for a
+  /// backslash.
   bool has(const std::string& name) const;
   /// Unpacked size of the part as the archive gives it; 0 where it does not.
   std::uint64_t size(const std::string& name) const;
-  /// Unpacks a whole part to `sink`, at most 64 KiB at once. Names are case-insensitive. Errors: E_PARSE
+  /// Unpacks a whole part to `sink`, at most 64 KiB at once. Names as in `has`. Errors: E_PARSE
   /// where there is no such part or its data are damaged; E_LIMIT.
   Result<Done> unpack(const std::string& name, const Sink& sink);
   /// Bytes that were unpacked so far.
   std::uint64_t unpacked() const { return unpacked_; }
 
  private:
+  std::int64_t locate(const std::string& name) const;
+
   struct Archive;
   struct Close {
     void operator()(Archive* archive) const;

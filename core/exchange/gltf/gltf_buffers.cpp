@@ -34,9 +34,9 @@ GltfAccessor GltfBuffers::accessor(std::uint64_t number, std::string_view type) 
   const Json* sparse = find(*found, "sparse");
   const auto complete = complete_.find(number);
   if (complete == complete_.end()) {
-    if (fields_.error() || ((!sparse || find(*found, "bufferView")) && !read_rows(*found, numbers, out)))
-      return out;
-    if (!sparse) return out;
+    const bool stored = find(*found, "bufferView");  // else all rows are zeros (section 3.6.2)
+    if (fields_.error() || (stored && !read_rows(*found, numbers, out))) return out;
+    if (stored && !sparse) return out;
     // Two calls, as the product may overflow.
     auto error = collector_.reserve(out.count, 0);
     if (!error) error = collector_.reserve(out.count * (numbers - 1), 0);
@@ -47,7 +47,7 @@ GltfAccessor GltfBuffers::accessor(std::uint64_t number, std::string_view type) 
     std::string rows(out.count * row, '\0');
     for (std::uint64_t k = 0; !out.bytes.empty() && k < out.count; ++k)
       out.bytes.copy(rows.data() + k * row, row, k * out.stride);
-    fill_in(*sparse, out, row, rows);
+    if (sparse) fill_in(*sparse, out, row, rows);
     complete_.emplace(number, std::move(rows));
   }
   out.bytes = complete_.at(number);

@@ -1,5 +1,6 @@
 #include "core/exchange/gltf/gltf_container.hpp"
 
+#include <algorithm>
 #include <cstdint>
 #include <filesystem>
 
@@ -31,6 +32,22 @@ Message truncated(std::size_t size, const std::string& where) {
 
 bool looks_like_glb(std::string_view bytes) {
   return bytes.starts_with(magic);
+}
+
+bool looks_like_gltf_text(std::string_view bytes) {
+  constexpr std::string_view blanks = " \t\r\n", mark = "\xEF\xBB\xBF", member = "\"asset\"";
+  if (bytes.starts_with(mark)) bytes.remove_prefix(mark.size());
+  const auto next = [&](std::size_t from) {
+    const std::size_t at = bytes.find_first_not_of(blanks, from);
+    return at == std::string_view::npos ? bytes.size() : at;
+  };
+  const auto is = [&](std::size_t at, char c) { return at < bytes.size() && bytes[at] == c; };
+  if (!is(next(0), '{')) return false;
+  for (std::size_t at = bytes.find(member); at != std::string_view::npos; at = bytes.find(member, at + 1)) {
+    const std::size_t colon = next(at + member.size());
+    if (is(colon, ':') && is(next(colon + 1), '{')) return true;
+  }
+  return false;
 }
 
 Result<GltfChunks> gltf_chunks(std::string_view bytes) {
@@ -73,7 +90,10 @@ Result<std::optional<std::string>> data_of_uri(std::string_view uri) {
   const std::size_t comma = uri.find(',');
   if (comma == std::string_view::npos || !uri.substr(0, comma).ends_with(";base64"))
     return make_error(e_parse, "A buffer inside the file is not written in base64.", remedy_correct);
-  const std::string_view text = uri.substr(comma + 1);
+  // Some programs escape what base64 and URIs both use.
+  std::string_view text = uri.substr(comma + 1);
+  const auto plain = text.find('%') == std::string_view::npos ? std::nullopt : without_escapes(text);
+  if (plain) text = *plain;
   Base64Bytes data = from_base64(text);
   if (data.wrong)
     return make_error(e_parse,
@@ -85,9 +105,12 @@ Result<std::optional<std::string>> data_of_uri(std::string_view uri) {
 
 Result<std::vector<std::string>> buffer_paths(std::string_view uri) {
   // Some programs write names without encoding them: "10%.bin" is not a valid URI, and "a%20b.bin" may be a
-  // file's name.
+  // file's name. Others write folders with backslashes, which no URI has.
   std::vector<std::string> out;
-  for (const auto& text : {without_escapes(uri), std::optional(std::string(uri))}) {
+  const auto decoded = without_escapes(uri);
+  std::string slashes = decoded.value_or(std::string(uri));
+  std::replace(slashes.begin(), slashes.end(), '\\', '/');
+  for (const auto& text : {decoded, std::optional(std::string(uri)), std::optional(slashes)}) {
     const std::filesystem::path path = std::filesystem::path(text.value_or("")).lexically_normal();
     // A scheme has at least two letters (one letter is a drive) and comes before any slash.
     const std::size_t colon = uri.find(':');
@@ -95,7 +118,7 @@ Result<std::vector<std::string>> buffer_paths(std::string_view uri) {
     if (path.empty() || text->find('\0') != std::string::npos || elsewhere || path.is_absolute() ||
         *path.begin() == ".." || !path.has_filename() || path == ".")
       continue;
-    if (out.empty() || out.front() != path.native()) out.push_back(path.native());
+    if (std::find(out.begin(), out.end(), path.native()) == out.end()) out.push_back(path.native());
   }
   if (out.empty())
     return make_error(e_file_open,

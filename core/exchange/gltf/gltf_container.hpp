@@ -26,17 +26,20 @@ struct GltfChunks {
 
 /// Whether the bytes begin with the magic number of the binary form.
 bool looks_like_glb(std::string_view bytes);
+/// Whether the bytes are a JSON object with an object "asset", which every description of glTF has. O(size).
+bool looks_like_gltf_text(std::string_view bytes);
 
 /// Splits the binary form into its chunks; other bytes are JSON as a whole. Borrows `bytes`. Errors:
 /// E_TRUNCATED, E_PARSE, E_FORMAT_UNKNOWN for versions other than 2. O(chunks).
 Result<GltfChunks> gltf_chunks(std::string_view bytes);
 
-/// Content of a `data:` URI in base64 (RFC 2397); nothing for other URIs. Errors: E_PARSE. O(size).
+/// Content of a `data:` URI in base64 (RFC 2397), also with percent escapes; nothing for other URIs. Errors:
+/// E_PARSE. O(size).
 Result<std::optional<std::string>> data_of_uri(std::string_view uri);
 
-/// Candidate paths for a relative URI, likeliest first: with percent signs decoded, then as written. At least
-/// one; all stay inside the file's folder. Errors: E_FILE_OPEN for URIs with a scheme, absolute paths and
-/// those that leave the folder.
+/// Candidate paths for a relative URI, likeliest first: with percent signs decoded, as written, with slashes
+/// for backslashes. At least one; all stay inside the file's folder. Errors: E_FILE_OPEN for URIs with a
+/// scheme, absolute paths and those that leave the folder.
 Result<std::vector<std::string>> buffer_paths(std::string_view uri);
 
 }  // namespace hariko

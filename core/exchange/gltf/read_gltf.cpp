@@ -6,12 +6,12 @@
 #include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
-#include <set>
 
 #include "core/exchange/gltf/gltf_buffers.hpp"
 #include "core/exchange/gltf/gltf_container.hpp"
 #include "core/exchange/gltf/gltf_fields.hpp"
 #include "core/exchange/gltf/gltf_instances.hpp"
+#include "core/exchange/gltf/gltf_scenes.hpp"
 #include "core/exchange/gltf/gltf_skin.hpp"
 #include "core/exchange/repair/point_welder.hpp"
 #include "core/exchange/repair/remedies.hpp"
@@ -33,10 +33,11 @@ constexpr int max_depth = 64;
 /// Prefixes of extensions that a file may require: they are read, or do not affect shapes. Quantised
 /// positions are read like others.
 constexpr std::array harmless_extensions{
-    "KHR_materials_", "KHR_texture_",          "EXT_texture_",      "MSFT_texture_",
-    "KHR_lights_",    "EXT_lights_",           "KHR_xmp",           "KHR_animation_",
-    "KHR_audio",      "KHR_mesh_quantization", "KHR_node_hover",    "KHR_node_select",
-    "EXT_mesh_feat",  "EXT_structural_",       "EXT_instance_feat", instancing};
+    "KHR_materials_",  "KHR_texture_",    "EXT_texture_",     "MSFT_texture_",   "KHR_lights_",
+    "EXT_lights_",     "KHR_xmp",         "KHR_animation_",   "KHR_audio",       "KHR_mesh_quantization",
+    "KHR_node_hover",  "KHR_node_select", "EXT_mesh_feat",    "EXT_structural_", "EXT_instance_feat",
+    "KHR_techniques_", "MSFT_packing_",   "ADOBE_materials_", "NV_materials_",   "CESIUM_primitive_outline",
+    instancing};
 /// Compressions that have an uncompressed fallback in files that do not require them.
 constexpr std::array compressions{"KHR_draco_mesh_compression", "EXT_meshopt_compression",
                                   "KHR_meshopt_compression"};
@@ -82,12 +83,13 @@ class GltfReader {
   Result<ImportedScene> read() {
     if (!parse()) return *fields_.error();
     if (!check_header()) return *fields_.error();
-    const std::vector<std::uint64_t> first = roots();
+    const std::vector<std::uint64_t> first = gltf_roots(root_, fields_);
     if (fields_.error()) return *fields_.error();
     for (const std::uint64_t node : first)
       if (!visit(node)) return *fields_.error();
     for (const std::uint64_t node : with_mesh_)
       if (!add_node(node)) return *fields_.error();
+    if (size_of(root_, "nodes") == 0 && !add_meshes_alone()) return *fields_.error();
     tell_what_is_left_out();
     auto scene = collector_.finish();
     if (scene) scene.value().metres_per_unit = 1 / millimetres_per_metre;
@@ -103,17 +105,17 @@ class GltfReader {
   // All return false, or a value that does not count, after noting an error.
   bool parse();
   bool check_header();
-  std::vector<std::uint64_t> roots();
 
   bool visit(std::uint64_t root);
   Placement placement_of(const Json& node, const std::string& place);
   bool add_node(std::uint64_t number);
+  bool add_meshes_alone();
   bool add_mesh(std::uint64_t number, const Json& node, const Placement& placement, const std::string& name);
   bool add_skinned(std::uint64_t mesh, const Json& node, std::uint64_t skin, const std::string& name);
   std::vector<double> weights_of(const Json& node, const Json& mesh, const std::string& place);
   PolygonMesh read_mesh(const Json& mesh, const std::string& place, const std::vector<double>& weights,
                         const GltfSkin* skin);
-  bool has_rows(const Json& primitive, std::uint64_t position, const std::string& place);
+  bool has_rows(const Json& primitive, std::uint64_t accessor, const std::string& place);
   bool add_primitive(const Json& primitive, const std::string& place, const std::vector<double>& weights,
                      const GltfSkin* skin, PointWelder& welder, PolygonMesh& mesh);
   bool add_shape_keys(const Json& primitive, const std::string& place, const std::vector<double>& weights,
@@ -189,24 +191,6 @@ bool GltfReader::check_header() {
   return true;
 }
 
-/// Nodes of the default scene; without scenes, nodes that are not a child of another.
-std::vector<std::uint64_t> GltfReader::roots() {
-  if (size_of(root_, "scenes") > 0) {
-    const std::uint64_t number = fields_.whole(root_, "scene", "The description").value_or(0);
-    const Json* scene = fields_.entry(root_, "scenes", number);
-    return scene ? fields_.wholes(*scene, "nodes", numbered("scenes", number)) : std::vector<std::uint64_t>();
-  }
-  std::set<std::uint64_t> children;
-  const std::size_t count = size_of(root_, "nodes");
-  for (std::size_t n = 0; n < count; ++n)
-    for (const std::uint64_t child : fields_.wholes(root_["nodes"][n], "children", numbered("nodes", n)))
-      children.insert(child);
-  std::vector<std::uint64_t> out;
-  for (std::size_t n = 0; n < count; ++n)
-    if (!children.contains(n)) out.push_back(n);
-  return out;
-}
-
 bool GltfReader::visit(std::uint64_t root) {
   std::vector<Node> waiting{{root, from_file_space()}};
   while (!waiting.empty()) {
@@ -274,6 +258,13 @@ bool GltfReader::add_node(std::uint64_t number) {
   return true;
 }
 
+/// Adds the meshes of a file without nodes, which is a library of meshes: each once, where it is.
+bool GltfReader::add_meshes_alone() {
+  for (std::size_t mesh = 0; mesh < size_of(root_, "meshes"); ++mesh)
+    if (!add_mesh(mesh, Json::object(), from_file_space(), "")) return false;
+  return true;
+}
+
 bool GltfReader::add_mesh(std::uint64_t number, const Json& node, const Placement& placement,
                           const std::string& name) {
   const Json* mesh = fields_.entry(root_, "meshes", number);
@@ -333,12 +324,12 @@ PolygonMesh GltfReader::read_mesh(const Json& mesh, const std::string& place,
   return out;
 }
 
-/// Whether the positions of a primitive have rows of numbers of their own, and not only in a compression.
-bool GltfReader::has_rows(const Json& primitive, std::uint64_t position, const std::string& place) {
-  const Json* points = fields_.entry(root_, "accessors", position);
-  if (!points) return false;
+/// Whether an accessor of a primitive has rows of numbers of its own, and not only in a compression.
+bool GltfReader::has_rows(const Json& primitive, std::uint64_t accessor, const std::string& place) {
+  const Json* rows = fields_.entry(root_, "accessors", accessor);
+  if (!rows) return false;
   const Json* extensions = find(primitive, "extensions");
-  if (!extensions || find(*points, "bufferView") || find(*points, "sparse")) return true;
+  if (!extensions || find(*rows, "bufferView") || find(*rows, "sparse")) return true;
   for (const char* name : compressions)
     if (find(*extensions, name))
       return fields_.fail(make_error(
@@ -364,6 +355,7 @@ bool GltfReader::add_primitive(const Json& primitive, const std::string& place,
   const GltfAccessor points = buffers_->accessor(*position, "VEC3");
   std::optional<GltfAccessor> corners;
   if (const auto indices = fields_.whole(primitive, "indices", place)) {
+    if (!has_rows(primitive, *indices, place)) return false;
     corners = buffers_->accessor(*indices, "SCALAR");
     const GltfComponent type = corners->component;
     if (type != GltfComponent::uint8 && type != GltfComponent::uint16 && type != GltfComponent::uint32)
@@ -438,6 +430,13 @@ void GltfReader::tell_what_is_left_out() {
     collector_.warn(make_warning(
         w_left_out, left_out_ == 1 ? std::string("A set of points or lines was left out.")
                                    : std::to_string(left_out_) + " sets of points or lines were left out."));
+  if (const std::size_t others = objects_of_other_scenes(root_, gltf_default_scene(root_, fields_));
+      others > 0)
+    collector_.warn(make_warning(
+        w_left_out,
+        others == 1 ? std::string("An object of another scene of the file was left out.")
+                    : std::to_string(others) + " objects of other scenes of the file were left out.",
+        "Export the other scenes as files of their own."));
   if (shape_keys_ || size_of(root_, "animations") > 0)
     collector_.warn(make_warning(
         w_left_out, "Animations and shape keys were left out: the objects are as they stand in the file."));

@@ -5,7 +5,9 @@
 #include <utility>
 
 #include "core/base/disjoint_sets.hpp"
+#include "core/base/text/decoded_text.hpp"
 #include "core/base/text/sanitized_utf8.hpp"
+#include "core/exchange/obj/read_obj.hpp"
 #include "core/exchange/repair/point_welder.hpp"
 
 namespace hariko {
@@ -78,13 +80,31 @@ class PartMaker {
 
 }  // namespace
 
+/// Printable name; bytes that are not UTF-8 are letters of an old encoding.
+std::string ObjParts::shown_name(std::string_view name) {
+  const DecodedText text = decoded(std::string(name.substr(0, 4 * name_length)), StrayBytes::letters);
+  old_letters_ += text.guessed;
+  japanese_ = japanese_ || text.japanese;
+  return sanitized_utf8(text.text, name_length);
+}
+
+void ObjParts::warn(std::vector<Message>& warnings) const {
+  if (old_letters_ > 0)
+    warnings.push_back(
+        make_warning(w_name_letters,
+                     std::to_string(old_letters_) +
+                         " letters of the OBJ file are in an old encoding that it does not name" +
+                         (japanese_ ? " (taken for Shift-JIS)" : "") + ": names may have wrong letters.",
+                     "Check the names, or export the model in UTF-8."));
+}
+
 void ObjParts::begin_object(std::string_view name, std::size_t face) {
-  objects_.push_back({face, sanitized_utf8(name, name_length)});
+  objects_.push_back({face, shown_name(name)});
   if (object_name_.empty()) object_name_ = objects_.back().name;
 }
 
 void ObjParts::begin_group(std::string_view name, std::size_t face) {
-  groups_.push_back({face, sanitized_utf8(name, name_length)});
+  groups_.push_back({face, shown_name(name)});
   if (group_name_.empty()) group_name_ = groups_.back().name;
 }
 

@@ -27,6 +27,9 @@ class ObjParts {
     return !objects_.empty() ? objects_.back().name : groups_.empty() ? std::string() : groups_.back().name;
   }
 
+  /// Adds W_NAME_LETTERS where letters of names are in an old encoding.
+  void warn(std::vector<Message>& warnings) const;
+
   /// Splits the mesh: each object is a part or, where there is none, each set of groups that touch. A single
   /// part keeps the mesh unchanged, and so do more than `ImportedScene::max_parts`. O(corners log corners).
   std::vector<ImportedPart> split(PolygonMesh mesh, std::vector<std::array<Index, 2>> creases,
@@ -39,7 +42,11 @@ class ObjParts {
   };
   std::vector<std::size_t> part_of_faces(const PolygonMesh& mesh, std::vector<std::string>& names) const;
 
+  std::string shown_name(std::string_view name);
+
   std::vector<Run> objects_, groups_;
+  std::size_t old_letters_ = 0;  ///< bytes of names that are not UTF-8
+  bool japanese_ = false;        ///< some of them were read as Shift-JIS
   std::string object_name_, group_name_;
 };
 

@@ -43,6 +43,10 @@ bool ObjTags::read_numbers(TextScanner& scanner, std::vector<std::int64_t>& vert
 
 void ObjTags::read(TextScanner& scanner) {
   const std::string_view name = scanner.token();
+  if (std::array<std::int64_t, 3> counts{}; name == "hole") {  // numbers of faces
+    if (!read_counts(scanner.token(), counts)) ++unread_;
+    for (; counts[0] > 0 && !scanner.token().empty(); --counts[0]) ++holes_;
+  }
   if (name != "crease" && name != "corner") return;  // other tags: boundary and texture rules
   std::vector<std::int64_t> vertices;
   std::vector<double> sharpness;
@@ -86,6 +90,12 @@ void ObjTags::warn(std::size_t vertices, std::vector<Message>& warnings) const {
                                     std::to_string(strange) +
                                         " tags of creases or corners cannot be read or name vertices that "
                                         "are not there; they were ignored."));
+  if (holes_ > 0)
+    warnings.push_back(make_warning(
+        w_left_out,
+        holes_ == 1 ? std::string("A face that the file marks as a hole is closed here.")
+                    : std::to_string(holes_) + " faces that the file marks as holes are closed here.",
+        "Delete the faces where the surface should be open."));
   if (soft_ > 0)
     warnings.push_back(make_warning(
         w_soft_creases,

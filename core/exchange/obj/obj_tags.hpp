@@ -22,7 +22,8 @@ class ObjTags {
   std::vector<std::array<Index, 2>> creases(std::size_t vertices) const;
   /// Vertices with a sharpness above 0, in a file with this number of vertices.
   std::vector<Index> corners(std::size_t vertices) const;
-  /// Adds W_SOFT_CREASES where some tags are semi-sharp, and W_UNKNOWN_STATEMENT where some cannot be read.
+  /// Adds W_SOFT_CREASES where some tags are semi-sharp, W_LEFT_OUT where some are holes, and
+  /// W_UNKNOWN_STATEMENT where some cannot be read.
   void warn(std::size_t vertices, std::vector<Message>& warnings) const;
 
  private:
@@ -31,7 +32,7 @@ class ObjTags {
 
   std::vector<std::array<Index, 2>> creases_;
   std::vector<Index> corners_;
-  std::size_t soft_ = 0, unread_ = 0;
+  std::size_t soft_ = 0, holes_ = 0, unread_ = 0;
 };
 
 }  // namespace hariko

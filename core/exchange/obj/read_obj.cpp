@@ -16,12 +16,12 @@
 namespace hariko {
 namespace {
 
+constexpr const char* remedy_called = "Open the other files, too.";
 /// Statements of the OBJ specification that do not affect polygons or patches.
-constexpr std::array<std::string_view, 33> ignored_statements{
-    "bevel",      "bmat",   "bsp",       "bzp",   "c_interp", "call",  "cdc",  "cdp",    "con",
-    "csh",        "ctech",  "curv",      "curv2", "d_interp", "hole",  "lod",  "maplib", "mg",
-    "mtllib",     "res",    "s",         "scrv",  "sp",       "stech", "step", "trim",   "usemap",
-    "shadow_obj", "usemtl", "trace_obj", "vn",    "vp",       "vt"};
+constexpr std::array<std::string_view, 25> ignored_statements{
+    "bevel",  "bmat", "c_interp", "con", "csh",    "ctech",      "curv2",    "d_interp", "lod",
+    "maplib", "mg",   "mtllib",   "res", "s",      "scrv",       "sp",       "stech",    "step",
+    "usemap", "vn",   "vp",       "vt",  "usemtl", "shadow_obj", "trace_obj"};
 
 class ObjReader {
  public:
@@ -49,6 +49,7 @@ class ObjReader {
   std::optional<Message> add_index(std::string_view token, std::int64_t index);
   std::optional<Message> check() const;
   std::optional<Message> no_faces() const;
+  std::string called_files() const;
   void warn();
 
   TextScanner scanner_;
@@ -61,8 +62,8 @@ class ObjReader {
   // Largest index of a vertex that a face refers to before it is read: if that one exists in the end, all do.
   std::uint64_t largest_forward_ = 0;
   std::size_t largest_forward_line_ = 0;
-  std::size_t unknown_count_ = 0, unknown_line_ = 0, points_and_lines_ = 0;
-  std::string unknown_;
+  std::size_t unknown_count_ = 0, unknown_line_ = 0, points_and_lines_ = 0, calls_ = 0;
+  std::string unknown_, called_;
 };
 
 std::optional<Message> ObjReader::read_statement() {
@@ -83,6 +84,11 @@ std::optional<Message> ObjReader::read_statement() {
   }
   if (keyword == "l" || keyword == "p") {
     ++points_and_lines_;
+    return {};
+  }
+  if (keyword == "call") {
+    const std::string_view file = scanner_.token();
+    if (calls_++ == 0) called_ = quote(file);
     return {};
   }
   if (ObjSurfaces::knows(keyword))
@@ -195,10 +201,19 @@ std::optional<Message> ObjReader::check() const {
 
 std::optional<Message> ObjReader::no_faces() const {
   if (out_.mesh.face_count() > 0) return {};
+  if (const auto left_out = surfaces_.left_out())
+    return TextScanner::error_at_line(e_empty, scanner_.line(), left_out->text, left_out->remedy);
+  if (calls_ > 0) return TextScanner::error_at_line(e_empty, scanner_.line(), called_files(), remedy_called);
   return TextScanner::error_at_line(e_empty, scanner_.line(),
                                     "The file ends with " + std::to_string(out_.mesh.positions.size()) +
                                         " vertices and without a single face.",
                                     "Export polygons, not points or curves.");
+}
+
+std::string ObjReader::called_files() const {
+  if (calls_ == 1) return "The file takes in " + called_ + ", which is not read.";
+  return "The file takes in " + std::to_string(calls_) + " other files, first " + called_ +
+         ", which are not read.";
 }
 
 void ObjReader::warn() {
@@ -215,13 +230,9 @@ void ObjReader::warn() {
         w_left_out, points_and_lines_ == 1
                         ? std::string("A set of points or lines was left out.")
                         : std::to_string(points_and_lines_) + " sets of points or lines were left out."));
-  if (const std::size_t count = surfaces_.left_out(); count > 0)
-    out_.warnings.push_back(make_warning(
-        w_left_out,
-        (count == 1
-             ? "A free-form surface that is no Bezier surface was left out."
-             : std::to_string(count) + " free-form surfaces that are no Bezier surfaces were left out."),
-        "Export them as Bezier surfaces, as STEP, or as polygons."));
+  if (calls_ > 0) out_.warnings.push_back(make_warning(w_left_out, called_files(), remedy_called));
+  surfaces_.warn(out_.warnings);
+  parts_.warn(out_.warnings);
   tags_.warn(out_.mesh.positions.size(), out_.warnings);
 }
 

@@ -8,6 +8,8 @@
 #include <utility>
 
 #include "core/exchange/number_text.hpp"
+#include "core/exchange/repair/t_joints.hpp"
+#include "core/polyhedron/repair.hpp"
 
 namespace hariko {
 
@@ -96,6 +98,47 @@ void count_near(const PolygonMesh& mesh, double tolerance, CleanReport& report) 
   report.near_farthest = std::max(report.near_farthest, near.farthest);
 }
 
+/// Counts the corners on edges of other faces; with `split` the edges are split there.
+void mend_t_joints(double tolerance, bool split, ImportedPart& part, CleanReport& report) {
+  const std::vector<TJoint> joints = find_t_joints(part.mesh, tolerance);
+  std::size_t corners = 0;
+  for (const TJoint& joint : joints) corners += joint.between.size();
+  (split ? report.split_edges : report.on_edges) += corners;
+  if (split && corners > 0) part.mesh = with_split_edges(part.mesh, joints);
+}
+
+/// Separates bodies that share corners where they touch. Marks go along to the copies.
+void separate(ImportedPart& part, CleanReport& report) {
+  if (part.mesh.face_count() == 0) return;
+  auto bodies = separate_bodies(part.mesh);
+  if (!bodies) return;
+  report.apart += bodies->original.size() - part.mesh.positions.size();
+  std::vector<std::array<Index, 2>> creases;
+  for (auto& [a, b] : part.creases)
+    if (a > b) std::swap(a, b);
+  std::sort(part.creases.begin(), part.creases.end());
+  for (std::size_t f = 0; !part.creases.empty() && f < bodies->mesh.face_count(); ++f) {
+    const auto face = bodies->mesh.face(f);
+    for (std::size_t k = 0; k < face.size(); ++k) {
+      const Index v = face[k], w = face[(k + 1) % face.size()];
+      const auto [low, high] = std::minmax(bodies->original[v], bodies->original[w]);
+      if (std::binary_search(part.creases.begin(), part.creases.end(), std::array<Index, 2>{low, high}))
+        creases.push_back({std::min(v, w), std::max(v, w)});
+    }
+  }
+  std::sort(creases.begin(), creases.end());
+  creases.erase(std::unique(creases.begin(), creases.end()), creases.end());
+  part.creases = std::move(creases);
+  std::sort(part.corners.begin(), part.corners.end());
+  const auto before = static_cast<Index>(part.mesh.positions.size());
+  std::vector<Index> copies;
+  for (Index v = before; v < bodies->original.size(); ++v)
+    if (std::binary_search(part.corners.begin(), part.corners.end(), bodies->original[v]))
+      copies.push_back(v);
+  part.corners.insert(part.corners.end(), copies.begin(), copies.end());
+  part.mesh = std::move(bodies->mesh);
+}
+
 }  // namespace
 
 void clean(ImportedPart& part, const JoinChoice& choice, CleanReport& report) {
@@ -105,9 +148,13 @@ void clean(ImportedPart& part, const JoinChoice& choice, CleanReport& report) {
   std::vector<char> used(part.mesh.positions.size(), 0);
   for (const Index v : part.mesh.face_vertices)
     if (v < used.size()) used[v] = 1;
+  CutKeyholes whole = cut_keyholes(std::move(part.mesh));
+  part.mesh = std::move(whole.mesh);
+  report.keyholes += whole.cut;
   const auto join = [&](double distance) {
     TidyMesh joined = join_corners(part.mesh, distance);
     report.joined += joined.joined;
+    report.keyholes += joined.keyholes;
     report.collapsed += joined.collapsed;
     report.farthest = std::max(report.farthest, joined.farthest);
     std::vector<char> now(joined.mesh.positions.size(), 0);
@@ -127,6 +174,8 @@ void clean(ImportedPart& part, const JoinChoice& choice, CleanReport& report) {
   report.flat += flat.flat;
   take(std::move(flat), part);
   if (report.flat + report.collapsed > 0) remove_left_over(used, part);
+  mend_t_joints(tolerance, choice.near || choice.split_edges, part, report);
+  separate(part, report);
 }
 
 std::vector<Message> CleanReport::messages() const {
@@ -155,6 +204,23 @@ std::vector<Message> CleanReport::messages() const {
   if (flat > 0)
     out.push_back(make_warning(w_flat_triangles, counted(flat, " flat triangle along an edge was left out.",
                                                          " flat triangles along edges were left out.")));
+  if (keyholes > 0)
+    out.push_back(make_warning(w_keyholes, counted(keyholes, " face with a hole was cut into faces without.",
+                                                   " faces with holes were cut into faces without.")));
+  if (apart > 0)
+    out.push_back(make_warning(w_bodies_apart,
+                               counted(apart, " corner was doubled where bodies touch, which stay apart.",
+                                       " corners were doubled where bodies touch, which stay apart.")));
+  if (on_edges > 0)
+    out.push_back(
+        make_warning(w_t_joints,
+                     counted(on_edges, " corner lies on an edge of another face: the surface is open there.",
+                             " corners lie on edges of other faces: the surface is open there."),
+                     "Split those edges while opening the file (--repair)."));
+  if (split_edges > 0)
+    out.push_back(make_warning(
+        w_t_joints, counted(split_edges, " edge was split where a corner of another face lies on it.",
+                            " edges were split where corners of other faces lie on them.")));
   return out;
 }
 

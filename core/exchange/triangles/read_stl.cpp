@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstring>
 #include <optional>
+#include <utility>
 
 #include "core/base/text/sanitized_utf8.hpp"
 #include "core/exchange/repair/point_welder.hpp"
@@ -58,24 +59,25 @@ bool is_text(std::string_view bytes) {
   return bytes.substr(0, 4096).find('\0') == std::string_view::npos;
 }
 
-/// Collects triangles, for both forms.
+/// Collects the triangles of one solid after the other, for both forms.
 class TriangleCollector {
  public:
   TriangleCollector(std::size_t expected_triangles, const ReadLimits& limits)
       : welder_(expected_triangles / 2), limits_(limits) {
-    out_.mesh.face_offsets.reserve(expected_triangles + 1);
-    out_.mesh.face_vertices.reserve(3 * expected_triangles);
+    mesh_.face_offsets.reserve(expected_triangles + 1);
+    mesh_.face_vertices.reserve(3 * expected_triangles);
   }
   Index vertex(const Vector3& position) { return welder_.add(position); }
   void expect(const Vector3& position) const { welder_.expect(position); }
   /// Adds a triangle; false where a limit is reached.
   bool add(Index a, Index b, Index c) {
-    if (welder_.size() > limits_.vertices || out_.mesh.face_vertices.size() + 3 > limits_.corners)
+    if (vertices_before_ + welder_.size() > limits_.vertices ||
+        corners_before_ + mesh_.face_vertices.size() + 3 > limits_.corners)
       return false;
     if (a == b || b == c || c == a)
       ++degenerate_count_;
     else
-      out_.mesh.add_face({a, b, c});
+      mesh_.add_face({a, b, c});
     return true;
   }
   bool add(const Vector3 (&corners)[3]) {
@@ -86,30 +88,47 @@ class TriangleCollector {
     return "The file has more than " + std::to_string(limits_.vertices) + " vertices or " +
            std::to_string(limits_.corners) + " corners.";
   }
-  Result<ImportedMesh> finish(std::string name) {
-    if (out_.mesh.face_count() == 0)
+  /// Completes a solid; one without triangles is left out.
+  void end_solid(std::string name) {
+    if (first_name_.empty()) first_name_ = name;
+    if (mesh_.face_count() == 0) return;
+    mesh_.positions = welder_.take_positions();
+    vertices_before_ += mesh_.positions.size();
+    corners_before_ += mesh_.face_vertices.size();
+    out_.parts.push_back({std::exchange(mesh_, {}), std::move(name)});
+    welder_ = PointWelder(0);
+  }
+  Result<ImportedScene> finish() {
+    if (out_.parts.empty())
       return make_error(e_empty,
                         degenerate_count_ == 0
                             ? "The file has no triangles."
                             : "All triangles of the file have two corners at the same place.",
                         "Export the model again.");
     if (degenerate_count_ > 0)
-      out_.warnings.push_back(make_warning(
+      warn(make_warning(
           w_degenerate_triangles,
           std::to_string(degenerate_count_) +
               (degenerate_count_ == 1 ? " triangle with two corners at the same place was left out."
                                       : " triangles with two corners at the same place were left out.")));
-    out_.mesh.positions = welder_.take_positions();
-    out_.name = std::move(name);
+    if (out_.parts.size() == 1 && out_.parts[0].name.empty()) out_.parts[0].name = first_name_;
+    if (out_.parts.size() > ImportedScene::max_parts) {  // as groups of an OBJ file
+      ImportedMesh whole = merged(std::move(out_));
+      out_ = {};
+      out_.parts.push_back({std::move(whole.mesh), first_name_});
+      out_.warnings = std::move(whole.warnings);
+    }
     return std::move(out_);
   }
-  ImportedMesh& out() { return out_; }
+  void warn(Message warning) { out_.warnings.push_back(std::move(warning)); }
 
  private:
   PointWelder welder_;
   const ReadLimits& limits_;
-  ImportedMesh out_;
-  std::size_t degenerate_count_ = 0;
+  PolygonMesh mesh_;  ///< the present solid
+  ImportedScene out_;
+  std::string first_name_;
+  std::size_t degenerate_count_ = 0, vertices_before_ = 0, corners_before_ = 0;
 };
 
 Message facet_error(Code code, std::uint64_t facet, const std::string& sentence, const char* remedy) {
@@ -119,7 +138,18 @@ Message facet_error(Code code, std::uint64_t facet, const std::string& sentence,
                     remedy);
 }
 
-Result<ImportedMesh> read_binary(std::string_view bytes, const ReadLimits& limits) {
+/// Error for bytes that are no binary file of this many triangles: text is something else.
+Message not_complete(std::string_view bytes, std::uint64_t there, std::uint64_t count) {
+  if (bytes.substr(0, 4096).find('\0') == std::string_view::npos)
+    return make_error(e_format_unknown, "This is text, but no STL file: it does not begin with \"solid\".",
+                      "Check that the file is a mesh in STL format.");
+  return make_error(e_truncated,
+                    "Byte " + std::to_string(bytes.size()) + ": The file ends after " +
+                        std::to_string(there) + " of " + std::to_string(count) + " promised triangles.",
+                    remedy_cut);
+}
+
+Result<ImportedScene> read_binary(std::string_view bytes, const ReadLimits& limits) {
   if (bytes.empty()) return make_error(e_empty, "The file is empty.", "Export the file again.");
   if (bytes.size() < header_size + 4)
     return make_error(
@@ -132,11 +162,7 @@ Result<ImportedMesh> read_binary(std::string_view bytes, const ReadLimits& limit
   const bool unknown = (promised == 0 || promised == 0xffffffffU) && there > 0;
   const std::uint64_t count = unknown ? there : promised;
   const std::uint64_t end = header_size + 4 + facet_size * count;
-  if (end > bytes.size())
-    return make_error(e_truncated,
-                      "Byte " + std::to_string(bytes.size()) + ": The file ends after " +
-                          std::to_string(there) + " of " + std::to_string(count) + " promised triangles.",
-                      remedy_cut);
+  if (end > bytes.size()) return not_complete(bytes, there, count);
   TriangleCollector collector(std::min<std::size_t>(count, limits.corners / 3), limits);
   constexpr std::uint64_t row = 256, ahead = 8;  // triangles
   // Reuses the corners that a triangle shares with the one before, as most share two: saves look-ups.
@@ -166,16 +192,17 @@ Result<ImportedMesh> read_binary(std::string_view bytes, const ReadLimits& limit
     std::copy(vertices, vertices + 3, known);
   }
   if (unknown)
-    collector.out().warnings.push_back(
+    collector.warn(
         make_warning(w_count_missing, "The header does not say how many triangles there are; all " +
                                           std::to_string(count) + " that the file holds were read."));
   if (end < bytes.size())
-    collector.out().warnings.push_back(
-        make_warning(w_trailing_data,
-                     "The last " + std::to_string(bytes.size() - end) + " bytes of the file were ignored."));
-  return collector.finish({});
+    collector.warn(make_warning(w_trailing_data, "The last " + std::to_string(bytes.size() - end) +
+                                                     " bytes of the file were ignored."));
+  collector.end_solid({});
+  return collector.finish();
 }
 
+/// Reader of text, in which line ends are blanks like others except behind a name.
 class StlTextReader {
  public:
   StlTextReader(std::string_view bytes, const ReadLimits& limits)
@@ -184,22 +211,25 @@ class StlTextReader {
         size_(bytes.size()),
         collector_(bytes.size() / 200, limits) {}  // a facet rarely has fewer characters
 
-  Result<ImportedMesh> read();
+  Result<ImportedScene> read();
 
  private:
   /// Next word, on this line or a later one.
   std::string_view next_word() { return scanner_.find_content() ? scanner_.token() : std::string_view{}; }
   std::optional<Message> expect(const char* word);
   std::optional<Message> wrong_word(std::string_view word, const char* expected) const;
+  std::string_view read_name();
+  void skip_name(std::string_view name);
   std::optional<Message> read_solid();
   std::optional<Message> read_facet();
+  std::optional<Message> skip_normal();
+  std::optional<Message> read_corner(Vector3& corner);
 
   TextScanner scanner_;
   const ReadLimits& limits_;
   std::size_t size_;
   TriangleCollector collector_;
   std::size_t facets_ = 0;
-  std::string name_;
 };
 
 std::optional<Message> StlTextReader::wrong_word(std::string_view word, const char* expected) const {
@@ -216,18 +246,87 @@ std::optional<Message> StlTextReader::expect(const char* word) {
   return wrong_word(found, word);
 }
 
+/// Reads the words of a name: the rest of the line, up to "facet normal" or "endsolid" where they follow on
+/// it.
+std::string_view StlTextReader::read_name() {
+  const char *begin = nullptr, *end = nullptr;
+  for (;;) {
+    const TextScanner before = scanner_;
+    const std::string_view word = scanner_.token();
+    if (word.empty()) break;
+    TextScanner behind = scanner_;
+    if ((equals_lower(word, "facet") && equals_lower(behind.token(), "normal")) ||
+        equals_lower(word, "endsolid")) {
+      scanner_ = before;
+      break;
+    }
+    if (!begin) begin = word.data();
+    end = word.data() + word.size();
+  }
+  return begin ? std::string_view(begin, static_cast<std::size_t>(end - begin)) : std::string_view();
+}
+
+/// Skips the name behind "endsolid", and whatever else stands on its line, up to the next solid on it.
+void StlTextReader::skip_name(std::string_view name) {
+  TextScanner words(name, {}), at = scanner_;
+  for (std::string_view word = words.token(); !word.empty(); word = words.token())
+    if (at.token() == word)
+      scanner_ = at;
+    else
+      break;
+  for (;;) {
+    const TextScanner before = scanner_;
+    const std::string_view word = scanner_.token();
+    if (word.empty()) return;
+    if (!equals_lower(word, "solid")) continue;
+    TextScanner behind = scanner_;
+    std::string_view next = behind.token();
+    while (!next.empty() && !equals_lower(next, "facet") && !equals_lower(next, "endsolid"))
+      next = behind.token();
+    if (next.empty())
+      scanner_.rest_of_line();
+    else
+      scanner_ = before;
+    return;
+  }
+}
+
+/// Skips the normal, up to and with the word "outer". It is ignored, as the corners determine it; degenerate
+/// triangles often have one that is not a number.
+std::optional<Message> StlTextReader::skip_normal() {
+  for (int words = 0;; ++words) {
+    std::string_view word = scanner_.token();
+    const bool same_line = !word.empty();
+    if (!same_line) word = next_word();
+    if (equals_lower(word, "outer")) return {};
+    if (word.empty() || (!same_line && words >= 3)) return wrong_word(word, "outer");
+  }
+}
+
+/// Reads three coordinates; only numbers are looked for on further lines.
+std::optional<Message> StlTextReader::read_corner(Vector3& corner) {
+  for (int axis = 0; axis < 3; ++axis) {
+    const std::string_view rest(scanner_.position(), scanner_.remaining());
+    const std::size_t next = rest.find_first_not_of(" \t");
+    if (next == std::string_view::npos || rest[next] < ' ') {  // the line ends here
+      TextScanner ahead = scanner_;
+      if (ahead.find_content() && ahead.token().find_first_of("0123456789") != std::string_view::npos)
+        scanner_.find_content();
+    }
+    if (auto error = scanner_.read_real("coordinate", corner[axis])) return error;
+  }
+  return {};
+}
+
 /// Reads a facet after the word "facet".
 std::optional<Message> StlTextReader::read_facet() {
-  // The normal is ignored, as the corners determine it; degenerate triangles often have one that is not a
-  // number.
   if (auto error = expect("normal")) return error;
-  scanner_.next_line();
-  for (const char* word : {"outer", "loop"})
-    if (auto error = expect(word)) return error;
+  if (auto error = skip_normal()) return error;
+  if (auto error = expect("loop")) return error;
   Vector3 corners[3];
   for (Vector3& corner : corners) {
     if (auto error = expect("vertex")) return error;
-    if (auto error = scanner_.read_point("coordinate", corner)) return error;
+    if (auto error = read_corner(corner)) return error;
   }
   if (!collector_.add(corners))
     return scanner_.error_here(e_limit, collector_.limit_sentence(), remedy_reduce);
@@ -238,19 +337,20 @@ std::optional<Message> StlTextReader::read_facet() {
 
 /// Reads a solid after the word "solid".
 std::optional<Message> StlTextReader::read_solid() {
-  const std::string_view name = scanner_.rest_of_line();
-  if (name_.empty()) name_ = sanitized_utf8(name, 200);
+  std::string_view name = read_name();
   for (;;) {
     const std::string_view word = next_word();
     if (equals_lower(word, "endsolid")) break;
     if (word.empty() && facets_ > 0) {
-      collector_.out().warnings.push_back(
-          make_warning(w_end_missing, "The file ends without \"endsolid\": it may have been cut off.",
-                       "Compare the object with that in the program that wrote the file."));
+      collector_.end_solid(sanitized_utf8(name, 200));
+      collector_.warn(make_warning(w_end_missing,
+                                   "The file ends without \"endsolid\": it may have been cut off.",
+                                   "Compare the object with that in the program that wrote the file."));
       return {};
     }
     if (equals_lower(word, "solid")) {  // the solid before has no end
-      scanner_.next_line();
+      collector_.end_solid(sanitized_utf8(name, 200));
+      name = read_name();
       continue;
     }
     if (!equals_lower(word, "facet")) return wrong_word(word, "facet");
@@ -258,23 +358,29 @@ std::optional<Message> StlTextReader::read_solid() {
     if (auto error = read_facet()) return error;
     ++facets_;
   }
-  scanner_.next_line();  // the name may be repeated here
+  collector_.end_solid(sanitized_utf8(name, 200));
+  skip_name(name);
   return {};
 }
 
-Result<ImportedMesh> StlTextReader::read() {
+Result<ImportedScene> StlTextReader::read() {
   do {
     if (auto error = expect("solid")) return *error;
     if (auto error = read_solid()) return *error;
   } while (scanner_.find_content());
-  return collector_.finish(name_);
+  return collector_.finish();
 }
 
 }  // namespace
 
-Result<ImportedMesh> read_stl(std::string_view bytes, const ReadLimits& limits) {
+Result<ImportedScene> read_stl_scene(std::string_view bytes, const ReadLimits& limits) {
   if (is_text(bytes)) return StlTextReader(bytes, limits).read();
   return read_binary(bytes, limits);
+}
+
+Result<ImportedMesh> read_stl(std::string_view bytes, const ReadLimits& limits) {
+  auto scene = read_stl_scene(bytes, limits);
+  return scene ? Result<ImportedMesh>(merged(std::move(scene).value())) : scene.error();
 }
 
 bool looks_like_stl(std::string_view bytes) {

@@ -78,8 +78,28 @@ double largest_edge_tolerance(const TopoDS_Shape& shape) {
   return largest;
 }
 
+constexpr const char* way_out_of_kernel_failure =
+    "Look for faces without area and objects of extreme sizes or places, or hide objects one by one.";
+
 Message not_written(const std::string& what) {
-  return make_error(e_cad_kernel, "OpenCASCADE could not make the file: " + what + ".");
+  return make_error(e_cad_kernel, "OpenCASCADE could not make the file: " + what + ".",
+                    way_out_of_kernel_failure);
+}
+
+/// Shape of an object, with its counts and the kernel's verdict added to the report. E_CAD_KERNEL with the
+/// object's name where the kernel fails.
+Result<TopoDS_Shape> checked_shape(const CadObject& object, CadFileReport& report) {
+  try {
+    const TopoDS_Shape shape = shape_of(*object.model, report);
+    report.valid = report.valid && BRepCheck_Analyzer(shape).IsValid();
+    report.edge_tolerance = std::max(report.edge_tolerance, largest_edge_tolerance(shape));
+    return shape;
+  } catch (const Standard_Failure& failure) {
+    return make_error(e_cad_kernel,
+                      object.name + ": OpenCASCADE could not make a shape of this object: " +
+                          failure.GetMessageString() + ".",
+                      way_out_of_kernel_failure);
+  }
 }
 
 Handle(TCollection_HAsciiString) text(const std::string& value) {
@@ -142,13 +162,12 @@ Result<CadFile> make(std::span<const CadObject> objects, const CadFileOptions& o
   KernelDocument document;
   for (std::size_t i = 0; i < objects.size(); ++i) {
     if (cancel.cancelled()) return make_error(e_cancelled, "The export was cancelled.");
-    const TopoDS_Shape shape = shape_of(*objects[i].model, out.report);
-    out.report.valid = out.report.valid && BRepCheck_Analyzer(shape).IsValid();
-    out.report.edge_tolerance = std::max(out.report.edge_tolerance, largest_edge_tolerance(shape));
+    const auto shape = checked_shape(objects[i], out.report);
+    if (!shape.ok()) return shape.error();
     CadObject object = objects[i];
     if (options.format == CadFormat::iges) object.name = ascii_name(object.name);
     out.report.changed_names += object.name != objects[i].name;
-    add(document, shape, object);
+    add(document, *shape, object);
     progress.report(0.5 * double(i + 1) / double(objects.size()));
   }
   if (cancel.cancelled()) return make_error(e_cancelled, "The export was cancelled.");

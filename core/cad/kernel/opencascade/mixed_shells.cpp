@@ -7,6 +7,8 @@
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopTools_ListOfShape.hxx>
 #include <TopoDS.hxx>
+#include <TopoDS_Iterator.hxx>
+#include <utility>
 
 #include "core/base/assert.hpp"
 #include "core/base/disjoint_sets.hpp"
@@ -20,6 +22,26 @@ bool bounds(const TopoDS_Shape& edge) {
   return !BRep_Tool::Degenerated(TopoDS::Edge(edge)) && edge.Orientation() != TopAbs_INTERNAL &&
          edge.Orientation() != TopAbs_EXTERNAL;
 }
+
+/// Numbers the solids that faces bound, in the explorer's order, which is that of nesting.
+class SolidNumbers {
+ public:
+  std::vector<Index> run(const TopoDS_Shape& shape) {
+    add(shape, no_index);
+    return std::move(of_face_);
+  }
+
+ private:
+  void add(const TopoDS_Shape& shape, Index solid) {
+    if (shape.ShapeType() == TopAbs_FACE) return of_face_.push_back(solid);
+    const Index inner = shape.ShapeType() == TopAbs_SOLID ? solids_++ : solid;
+    for (TopoDS_Iterator at(shape); at.More(); at.Next())
+      if (at.Value().ShapeType() <= TopAbs_FACE) add(at.Value(), inner);
+  }
+
+  std::vector<Index> of_face_;
+  Index solids_ = 0;
+};
 
 }  // namespace
 
@@ -36,6 +58,7 @@ ConnectedFaces connected_faces(const TopoDS_Shape& shape) {
       sets.join(Index(faces.FindIndex(own.First())), Index(faces.FindIndex(face.Value())));
   }
   ConnectedFaces out;
+  out.solid_of_face = SolidNumbers().run(shape);
   std::vector<Index> number(sets.size(), no_index);
   for (TopExp_Explorer face(shape, TopAbs_FACE); face.More(); face.Next()) {
     Index& set = number[sets.find(Index(faces.FindIndex(face.Current())))];
@@ -50,6 +73,7 @@ ConnectedFaces connected_faces(const TopoDS_Shape& shape) {
     if (own.Extent() % 2 == 0 || !bounds(around.FindKey(e))) continue;
     out.closed[number[sets.find(Index(faces.FindIndex(own.First())))]] = false;
   }
+  HARIKO_ASSERT(out.solid_of_face.size() == out.set_of_face.size(), "both orders are that of nesting");
   return out;
 }
 

@@ -5,7 +5,7 @@
 #include <TopoDS_Shape.hxx>
 #include <vector>
 
-#include "core/base/ids.hpp"
+#include "core/base/vector.hpp"
 
 namespace hariko {
 
@@ -13,6 +13,8 @@ namespace hariko {
 struct ConnectedFaces {
   std::vector<Index> set_of_face;  ///< by face, in the explorer's order
   std::vector<bool> closed;        ///< by set: no edge has a face on one side only
+  /// By face, in the explorer's order: number of the solid that it bounds, no_index where it is in none.
+  std::vector<Index> solid_of_face;
 };
 /// Connected sets of the faces of a shape. O(faces + edges).
 ConnectedFaces connected_faces(const TopoDS_Shape& shape);

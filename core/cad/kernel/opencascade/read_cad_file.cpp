@@ -8,16 +8,11 @@
 #include <IGESCAFControl_Reader.hxx>
 #include <Interface_Static.hxx>
 #include <Message_ProgressIndicator.hxx>
-#include <Quantity_Color.hxx>
 #include <STEPCAFControl_Reader.hxx>
 #include <Standard_Failure.hxx>
-#include <TDF_LabelSequence.hxx>
-#include <TDataStd_Name.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Compound.hxx>
-#include <XCAFDoc_ColorTool.hxx>
-#include <XCAFDoc_DocumentTool.hxx>
 #include <XCAFDoc_ShapeTool.hxx>
 #include <algorithm>
 #include <cmath>
@@ -30,12 +25,15 @@
 #include "core/base/text/sanitized_utf8.hpp"
 #include "core/cad/kernel/cad_file.hpp"
 #include "core/cad/kernel/cad_text.hpp"
+#include "core/cad/kernel/opencascade/cad_parts.hpp"
 #include "core/cad/kernel/opencascade/isolated.hpp"
 #include "core/cad/kernel/opencascade/kernel.hpp"
 #include "core/cad/kernel/opencascade/kernel_session.hpp"
+#include "core/cad/kernel/opencascade/mapped_items.hpp"
 #include "core/cad/kernel/opencascade/mixed_shells.hpp"
 #include "core/cad/kernel/opencascade/scene_bytes.hpp"
 #include "core/cad/kernel/opencascade/sew_faces.hpp"
+#include "core/cad/kernel/opencascade/step_model.hpp"
 #include "core/cad/kernel/opencascade/triangulated.hpp"
 #include "core/cad/kernel/opencascade/whole_splines.hpp"
 #include "core/surface/weld_patches.hpp"
@@ -46,6 +44,8 @@ namespace {
 
 /// Limit of processor time, seconds: some damaged files are read for ever.
 constexpr double least_patience = 20, patience_a_megabyte = 60;
+/// Length below which a side of a patch is a point, millimetres: the kernel's own equality.
+constexpr double least_side = 1e-7;
 
 Message failed(std::string what) {
   return make_error(e_cad_read, std::move(what), "Export the model again, or as STL or OBJ.");
@@ -65,149 +65,23 @@ class Indicator : public Message_ProgressIndicator {
   std::function<void(double)> report_;
 };
 
-std::string name_of(const TDF_Label& label) {
-  Handle(TDataStd_Name) name;
-  if (!label.FindAttribute(TDataStd_Name::GetID(), name)) return {};
-  std::string out(std::size_t(name->Get().LengthOfCString()) + 1, '\0');
-  Standard_PCharacter at = out.data();
-  name->Get().ToUTF8CString(at);
-  out.resize(out.size() - 1);
-  return sanitized_utf8(out, 200);
-}
-
-class Collector {
- public:
-  explicit Collector(const Handle(TDocStd_Document) & document)
-      : shapes_(XCAFDoc_DocumentTool::ShapeTool(document->Main())),
-        colours_(XCAFDoc_DocumentTool::ColorTool(document->Main())) {}
-
-  /// Shapes of all parts in their places; E_LIMIT where there are too many.
-  Result<std::vector<CadLeaf>> run() {
-    TDF_LabelSequence labels;
-    shapes_->GetFreeShapes(labels);
-    for (int i = 1; i <= labels.Length(); ++i) add(labels.Value(i), TopLoc_Location(), {}, {}, 0);
-    if (too_many_)
-      return make_error(e_limit, "The file has more than " + std::to_string(max_cad_parts) + " parts.",
-                        "Export the assembly in several files.");
-    return std::move(leaves_);
-  }
-
- private:
-  static constexpr int deepest = 100;
-
-  CadColour colour_of(const TDF_Label& label) const {
-    for (const XCAFDoc_ColorType kind : {XCAFDoc_ColorSurf, XCAFDoc_ColorGen, XCAFDoc_ColorCurv})
-      if (Quantity_Color colour; colours_->GetColor(label, kind, colour)) return as_bytes(colour);
-    return {};
-  }
-  CadColour colour_of(const TopoDS_Shape& shape) const {
-    for (const XCAFDoc_ColorType kind : {XCAFDoc_ColorSurf, XCAFDoc_ColorGen})
-      if (Quantity_Color colour; colours_->GetColor(shape, kind, colour)) return as_bytes(colour);
-    return {};
-  }
-  static CadColour as_bytes(const Quantity_Color& colour) {
-    double r = 0, g = 0, b = 0;
-    colour.Values(r, g, b, Quantity_TOC_sRGB);
-    const auto byte = [](double x) { return std::uint8_t(std::lround(255 * std::clamp(x, 0.0, 1.0))); };
-    return std::array{byte(r), byte(g), byte(b)};
-  }
-  /// Colour of the shape, else of its first solid, of its first shell, or of its first face, if one has any.
-  CadColour inner_colour(const TopoDS_Shape& shape) const {
-    if (const CadColour own = colour_of(shape)) return own;
-    for (const TopAbs_ShapeEnum kind : {TopAbs_SOLID, TopAbs_SHELL, TopAbs_FACE})
-      if (TopExp_Explorer at(shape, kind); at.More())
-        if (const CadColour colour = colour_of(at.Current())) return colour;
-    return {};
-  }
-  /// Parts of a shape without a colour of its own, by the colours of its solids, in the order in which these
-  /// appear; what is in no solid is a part, too. One part where all have one colour.
-  std::vector<std::pair<TopoDS_Shape, CadColour>> parts_by_colour(const TopoDS_Shape& shape) const {
-    std::vector<std::pair<CadColour, std::vector<TopoDS_Shape>>> groups;
-    const auto add_to_group = [&](const TopoDS_Shape& part, const CadColour& colour) {
-      const auto known = std::find_if(groups.begin(), groups.end(),
-                                      [&](const auto& group) { return group.first == colour; });
-      if (known != groups.end()) return known->second.push_back(part);
-      groups.push_back({colour, {part}});
-    };
-    for (TopExp_Explorer solid(shape, TopAbs_SOLID); solid.More(); solid.Next())
-      add_to_group(solid.Current(), inner_colour(solid.Current()));
-    if (groups.size() < 2) return {{shape, inner_colour(shape)}};
-    std::vector<std::pair<TopoDS_Shape, CadColour>> out;
-    for (const auto& [colour, shapes] : groups) out.emplace_back(together(shapes), colour);
-    std::vector<TopoDS_Shape> rest;
-    for (TopExp_Explorer shell(shape, TopAbs_SHELL, TopAbs_SOLID); shell.More(); shell.Next())
-      rest.push_back(shell.Current());
-    for (TopExp_Explorer face(shape, TopAbs_FACE, TopAbs_SHELL); face.More(); face.Next())
-      rest.push_back(face.Current());
-    if (!rest.empty()) out.emplace_back(together(rest), inner_colour(rest.front()));
-    return out;
-  }
-  static TopoDS_Shape together(const std::vector<TopoDS_Shape>& shapes) {
-    if (shapes.size() == 1) return shapes.front();
-    TopoDS_Compound out;
-    BRep_Builder builder;
-    builder.MakeCompound(out);
-    for (const TopoDS_Shape& shape : shapes) builder.Add(out, shape);
-    return out;
-  }
-
-  /// Whether the name of a component's usage is meaningful: often it is empty, a number, or the STEP entity
-  /// that places the component (NEXT_ASSEMBLY_USAGE_OCCURRENCE).
-  static bool names_something(const std::string& usage) {
-    std::string_view left = usage;
-    for (const std::string_view kind : {"NAUO", "NEXT_ASSEMBLY_USAGE_OCCURRENCE"})
-      if (left.starts_with(kind)) left.remove_prefix(kind.size());
-    return left.find_first_not_of(" _-#.0123456789") != std::string_view::npos;
-  }
-
-  void add(const TDF_Label& label, const TopLoc_Location& place, const std::string& given_name,
-           const CadColour& given_colour, int depth) {
-    if (depth > deepest || too_many_) return;
-    const std::string own_name = name_of(label);
-    const std::string& name = given_name.empty() ? own_name : given_name;
-    const CadColour colour = given_colour ? given_colour : colour_of(label);
-    TDF_Label referred;
-    if (XCAFDoc_ShapeTool::IsReference(label) && XCAFDoc_ShapeTool::GetReferredShape(label, referred)) {
-      return add(referred, place * XCAFDoc_ShapeTool::GetLocation(label),
-                 names_something(name) ? name : std::string(), colour, depth + 1);
-    }
-    if (XCAFDoc_ShapeTool::IsAssembly(label)) {
-      TDF_LabelSequence components;
-      XCAFDoc_ShapeTool::GetComponents(label, components);
-      const bool alone = components.Length() == 1;
-      for (int i = 1; i <= components.Length(); ++i)
-        add(components.Value(i), place, alone ? name : std::string(), colour, depth + 1);
-      return;
-    }
-    if (leaves_.size() >= max_cad_parts) {
-      too_many_ = true;
-      return;
-    }
-    const TopoDS_Shape shape = XCAFDoc_ShapeTool::GetShape(label);
-    if (shape.IsNull()) return;
-    if (colour) {
-      leaves_.push_back({shape.Moved(place), name, colour});
-      return;
-    }
-    const auto parts = parts_by_colour(shape);
-    if (leaves_.size() + parts.size() > max_cad_parts) {
-      too_many_ = true;
-      return;
-    }
-    for (const auto& [part, own] : parts) leaves_.push_back({part.Moved(place), name, own});
-  }
-
-  Handle(XCAFDoc_ShapeTool) shapes_;
-  Handle(XCAFDoc_ColorTool) colours_;
-  std::vector<CadLeaf> leaves_;
-  bool too_many_ = false;
-};
-
 double diagonal_of(const TopoDS_Shape& shape) {
   Bnd_Box box;
   BRepBndLib::Add(shape, box, false);
   if (box.IsVoid() || box.IsOpen()) return 0;
   return std::sqrt(box.SquareExtent());
+}
+
+/// Whether all control points of a side of a patch are in one place.
+bool ends_in_a_point(const BezierPatch& patch) {
+  const auto columns = std::size_t(patch.degree_s) + 1, rows = std::size_t(patch.degree_t) + 1;
+  const auto shrunk = [&](std::size_t first, std::size_t step, std::size_t count) {
+    for (std::size_t k = 1; k < count; ++k)
+      if ((patch.points[first + k * step] - patch.points[first]).norm() > least_side) return false;
+    return true;
+  };
+  return shrunk(0, 1, columns) || shrunk((rows - 1) * columns, 1, columns) || shrunk(0, columns, rows) ||
+         shrunk(columns - 1, columns, rows);
 }
 
 class SceneMaker {
@@ -228,18 +102,22 @@ class SceneMaker {
       out_.warnings.push_back(make_warning(
           w_cad_faces, std::to_string(failed_) + " faces could not be made into triangles and are missing.",
           "Repair the model in the program that it comes from."));
-    if (mixed_ > 0)
-      out_.warnings.push_back(
-          make_warning(w_cad_mixed,
-                       "Spline faces that share edges with faces of other kinds, or meet others with other "
-                       "parameters, became facets, so that shapes stay closed (faces: " +
-                           std::to_string(mixed_) + "). Their exact patches are in hidden objects.",
-                       "Show the objects called \"(patches)\" to analyse them, or to export them for CAD."));
+    if (mixed_ > 0) out_.warnings.push_back(mixed_warning());
     if (out_.parts.empty()) return failed("The file holds no faces.");
     return std::move(out_);
   }
 
  private:
+  Message mixed_warning() const {
+    return make_warning(
+        w_cad_mixed,
+        "Spline faces became facets, so that shapes stay closed (beside faces of other kinds: " +
+            std::to_string(mixed_ - at_poles_ - at_gaps_) + ", with a pole: " + std::to_string(at_poles_) +
+            ", beside other parameters: " + std::to_string(at_gaps_) +
+            "). Their exact patches are in hidden objects.",
+        "Show the objects called \"(patches)\" to analyse them, or to export them for CAD.");
+  }
+
   /// Finds the spline faces, in the order of the faces. With too many patches for one object everything
   /// becomes triangles.
   void find_splines(const std::vector<CadLeaf>& leaves) {
@@ -260,10 +138,11 @@ class SceneMaker {
 
   void add(const CadLeaf& leaf, const Message_ProgressRange& range) {
     CadPart part{leaf.name, leaf.colour, {}, {}};
+    part.visible = leaf.visible;
     TopoDS_Compound others;
     BRep_Builder builder;
     builder.MakeCompound(others);
-    bool empty = true;
+    std::vector<Index> bodies;
     const ConnectedFaces connected = connected_faces(leaf.shape);
     std::vector<bool> mixed = beside_others(connected, whole_faces(connected.set_of_face.size()));
     mark_gaps(connected, mixed);
@@ -276,13 +155,12 @@ class SceneMaker {
         ++mixed_;
       }
       builder.Add(others, face.Current());
-      empty = false;
+      bodies.push_back(connected.solid_of_face[own]);
     }
-    if (const double size = diagonal_of(leaf.shape); !empty && size > 0) {
+    if (const double size = diagonal_of(leaf.shape); !bodies.empty() && size > 0) {
       BRepTools::Clean(others);  // removes triangles that the file brought along
-      Triangulated made =
-          triangulated(others, options_.tolerance > 0 ? options_.tolerance : usual_cad_mesh_tolerance * size,
-                       options_.angle, range);
+      const double tolerance = options_.tolerance > 0 ? options_.tolerance : usual_cad_mesh_tolerance * size;
+      Triangulated made = triangulated(others, bodies, tolerance, options_.angle, range);
       part.mesh = std::move(made.mesh);
       failed_ += made.failed;
       triangles_ += part.mesh.face_count();
@@ -291,8 +169,8 @@ class SceneMaker {
   }
 
   /// Marks faces of the next leaf whose bodies are closed, but not by the patches of their splines alone:
-  /// along some edge these have different parameters.
-  void mark_gaps(const ConnectedFaces& faces, std::vector<bool>& mixed) const {
+  /// along some edge these have different parameters, or a side of one is a point.
+  void mark_gaps(const ConnectedFaces& faces, std::vector<bool>& mixed) {
     if (face_ + mixed.size() > splines_.size()) return;
     std::vector<std::vector<std::size_t>> sets(faces.closed.size());
     for (std::size_t k = 0; k < mixed.size(); ++k)
@@ -302,8 +180,10 @@ class SceneMaker {
       for (const std::size_t k : set)
         patches.insert(patches.end(), splines_[face_ + k].begin(), splines_[face_ + k].end());
       if (patches.empty()) continue;
+      const bool pole = std::any_of(patches.begin(), patches.end(), ends_in_a_point);
       const auto welded = weld_patches(Vector3::Zero(), std::move(patches));
       if (welded.ok() && welded->boundary_sides().empty()) continue;
+      (pole ? at_poles_ : at_gaps_) += set.size();
       for (const std::size_t k : set) mixed[k] = true;
     }
   }
@@ -319,18 +199,25 @@ class SceneMaker {
   const CadReadOptions& options_;
   CadScene out_;
   std::vector<std::vector<BezierPatch>> splines_;  ///< by face of the file
-  std::size_t face_ = 0, failed_ = 0, triangles_ = 0, mixed_ = 0;
+  std::size_t face_ = 0, failed_ = 0, triangles_ = 0;
+  std::size_t mixed_ = 0, at_poles_ = 0, at_gaps_ = 0;  ///< the last two are among the first
 };
 
-/// Steps common to the kernel's readers, which share names but no base class.
-template <class Reader, class Read>
-std::optional<Message> transfer(Reader& reader, const Read& read, KernelDocument& document,
-                                const Message_ProgressRange& range) {
+/// Modes common to the kernel's readers, which share names but no base class.
+template <class Reader>
+void set_modes(Reader& reader) {
   reader.SetColorMode(true);
   reader.SetNameMode(true);
-  if (read(reader) != IFSelect_RetDone) return failed("OpenCASCADE cannot read this file.");
-  if (!reader.Transfer(document.handle(), range)) return failed("OpenCASCADE finds no shapes in this file.");
-  return {};
+}
+
+Message unreadable() {
+  return failed("OpenCASCADE cannot read this file.");
+}
+
+Message no_shapes(const ModelFacts& facts) {
+  if (facts.tessellated == 0) return failed("OpenCASCADE finds no shapes in this file.");
+  const Message& why = facts.warnings.front();
+  return make_error(e_cad_read, "The file holds no exact bodies. " + why.text, why.remedy);
 }
 
 /// Path of a file that exists in memory only, for readers that need a path. It vanishes with this process.
@@ -340,28 +227,37 @@ std::optional<std::string> path_in_memory(std::string_view bytes) {
   return "/proc/self/fd/" + std::to_string(descriptor);
 }
 
-std::optional<Message> load_iges(const std::filesystem::path& path, const CadText& text,
-                                 KernelDocument& document, const Message_ProgressRange& range) {
+Result<ModelFacts> load_iges(const std::filesystem::path& path, const CadText& text, KernelDocument& document,
+                             const Message_ProgressRange& range) {
   const std::optional<std::string> from = text.changed ? path_in_memory(text.text) : path.string();
   if (!from)
     return make_error(e_file_read, "There is no room for a copy of the file in memory.", "Try again.");
   IGESCAFControl_Reader reader;
-  return transfer(
-      reader, [&](auto& r) { return r.ReadFile(from->c_str()); }, document, range);
+  set_modes(reader);
+  if (reader.ReadFile(from->c_str()) != IFSelect_RetDone) return unreadable();
+  if (!reader.Transfer(document.handle(), range)) return no_shapes({});
+  return facts_of_iges(reader);
 }
 
-std::optional<Message> load_step(CadText text, KernelDocument& document, const Message_ProgressRange& range) {
+Result<ModelFacts> load_step(CadText text, KernelDocument& document, const Message_ProgressRange& range) {
   STEPCAFControl_Reader reader;
+  set_modes(reader);
   std::istringstream stream(std::move(text.text));
   // Without a folder in its name the reader looks for no other files.
-  return transfer(
-      reader, [&](auto& r) { return r.ChangeReader().ReadStream("file", stream); }, document, range);
+  if (reader.ChangeReader().ReadStream("file", stream) != IFSelect_RetDone) return unreadable();
+  const std::vector<Message> not_placed = transform_mapped_items(reader);
+  const bool found = reader.Transfer(document.handle(), range);
+  ModelFacts out = facts_of_step(reader);
+  if (!found) return no_shapes(out);
+  out.warnings.insert(out.warnings.end(), not_placed.begin(), not_placed.end());
+  return out;
 }
 
-/// Facts about a file's text that last once the kernel has read it.
-struct LoadedText {
+/// Facts about a file that last once the kernel has read it.
+struct LoadedFile {
   std::vector<Message> warnings;
-  bool own = false;  ///< written by this program
+  TopTools_MapOfShape hidden;  ///< see `ModelFacts`
+  bool own = false;            ///< written by this program
 };
 
 /// Whether this program wrote the file: it says so within its first lines.
@@ -371,7 +267,7 @@ bool is_own(std::string_view text) {
 }
 
 /// Loads a file into the document.
-Result<LoadedText> load(const std::filesystem::path& path, CadFormat format, KernelDocument& document,
+Result<LoadedFile> load(const std::filesystem::path& path, CadFormat format, KernelDocument& document,
                         const Message_ProgressRange& range) {
   auto bytes = read_file(path, max_cad_file_bytes);
   if (!bytes.ok()) return bytes.error();
@@ -381,10 +277,12 @@ Result<LoadedText> load(const std::filesystem::path& path, CadFormat format, Ker
   const bool iges = format == CadFormat::iges;
   auto text = iges ? iges_text_of(std::move(bytes).value()) : step_text_of(std::move(bytes).value());
   if (!text.ok()) return text.error();
-  LoadedText out{text->warnings, is_own(text->text)};
-  const auto wrong =
+  LoadedFile out{text->warnings, {}, is_own(text->text)};
+  const auto facts =
       iges ? load_iges(path, *text, document, range) : load_step(std::move(text).value(), document, range);
-  if (wrong) return *wrong;
+  if (!facts.ok()) return facts.error();
+  out.hidden = facts->hidden;
+  out.warnings.insert(out.warnings.end(), facts->warnings.begin(), facts->warnings.end());
   return out;
 }
 
@@ -394,17 +292,27 @@ Result<CadScene> read(const std::filesystem::path& path, CadFormat format, const
     const Handle(Indicator) indicator = new Indicator(report);
     Message_ProgressScope scope(indicator->Start(), nullptr, 2);
     KernelDocument document;
-    const auto text = load(path, format, document, scope.Next());
-    if (!text.ok()) return text.error();
-    const auto leaves = Collector(document.handle()).run();
-    if (!leaves.ok()) return leaves.error();
+    const auto loaded = load(path, format, document, scope.Next());
+    if (!loaded.ok()) return loaded.error();
+    const auto parts = cad_parts(document.handle(), loaded->hidden);
+    if (!parts.ok()) return parts.error();
     // Files of this program already share their edges.
-    const std::vector<CadLeaf> whole = text->own ? *leaves : sewn(*leaves, format == CadFormat::iges);
+    const std::vector<CadLeaf> whole =
+        loaded->own ? parts->leaves : sewn(parts->leaves, format == CadFormat::iges);
     auto made = SceneMaker(options).run(whole, scope.Next());
-    if (made.ok()) {
-      auto& all = made.value().warnings;
-      all.insert(all.begin(), text->warnings.begin(), text->warnings.end());
+    const std::size_t curves = parts->curves, points = parts->points;
+    if (!made.ok()) {
+      if (made.error().code != e_cad_read || curves + points == 0) return made;
+      return failed("The file holds no faces, only curves (" + std::to_string(curves) + ") and points (" +
+                    std::to_string(points) + ").");
     }
+    auto& all = made.value().warnings;
+    all.insert(all.begin(), loaded->warnings.begin(), loaded->warnings.end());
+    if (curves + points > 0)
+      all.push_back(make_warning(w_cad_left_out,
+                                 "What has no faces was left out (curves: " + std::to_string(curves) +
+                                     ", points: " + std::to_string(points) + ").",
+                                 "Export it as surfaces where it is needed."));
     return made;
   } catch (const Standard_Failure& failure) {
     return failed("OpenCASCADE cannot read this file: " + sanitized_utf8(failure.GetMessageString(), 200) +
@@ -421,7 +329,7 @@ Result<CadScene> read(const std::filesystem::path& path, CadFormat format, const
 Result<CadScene> by_opencascade::read_cad_file(const std::filesystem::path& path,
                                                const CadReadOptions& options, const CancelToken& cancel,
                                                const Progress& progress) {
-  const auto format = cad_format_of(path);
+  const auto format = options.format ? options.format : cad_format_of(path);
   HARIKO_ASSERT(format, "the ending tells the format");
   const KernelSession session;
   std::error_code unknown;

@@ -13,9 +13,10 @@ namespace {
 
 /// Codes that a scene can carry. They are constants of the program, so that a name suffices to find each
 /// again.
-constexpr std::array known_codes{e_cad_read,   e_limit,      e_cancelled,   e_file_open,
-                                 e_file_read,  w_cad_faces,  w_cad_patches, w_cad_mark,
-                                 w_cad_behind, w_cad_counts, w_cad_letters, w_cad_mixed};
+constexpr std::array known_codes{e_cad_read,   e_limit,      e_cancelled,    e_file_open,
+                                 e_file_read,  w_cad_faces,  w_cad_patches,  w_cad_mark,
+                                 w_cad_behind, w_cad_counts, w_cad_letters,  w_cad_mixed,
+                                 w_cad_unit,   w_cad_placed, w_cad_left_out, w_cad_tessellated};
 
 class Writer {
  public:
@@ -125,6 +126,7 @@ std::string bytes_of(const Result<CadScene>& scene) {
   out.value(scene->parts.size());
   for (const CadPart& part : scene->parts) {
     out.text(part.name);
+    out.value(part.visible);
     out.value(part.colour.has_value());
     out.value(part.colour.value_or(std::array<std::uint8_t, 3>{}));
     write(out, part.patches);
@@ -144,6 +146,7 @@ Result<CadScene> scene_of(std::string_view bytes) {
   for (auto parts = in.value<std::size_t>(); parts > 0; --parts) {
     CadPart part;
     part.name = in.text();
+    part.visible = in.value<bool>();
     const bool coloured = in.value<bool>();
     const auto colour = in.value<std::array<std::uint8_t, 3>>();
     if (coloured) part.colour = colour;

@@ -145,19 +145,23 @@ class LooseFaces {
 }  // namespace
 
 std::vector<CadLeaf> sewn(std::vector<CadLeaf> leaves, bool loose) {
-  LooseFaces faces;
+  LooseFaces shown, hidden;
   std::vector<CadLeaf> out;
   std::optional<std::size_t> first;  // position of the loose faces
   for (CadLeaf& leaf : leaves) {
     if (loose && count(leaf.shape, TopAbs_FACE) == 1) {
       if (!first) first = out.size();
-      faces.add(leaf);
+      (leaf.visible ? shown : hidden).add(leaf);
       continue;
     }
     if (is_in_pieces(leaf.shape)) leaf.shape = whole(leaf.shape);
     out.push_back(std::move(leaf));
   }
-  const std::vector<CadLeaf> made = faces.take();
+  std::vector<CadLeaf> made = shown.take();
+  for (CadLeaf& leaf : hidden.take()) {
+    leaf.visible = false;
+    made.push_back(std::move(leaf));
+  }
   out.insert(out.begin() + std::ptrdiff_t(first.value_or(0)), made.begin(), made.end());
   return out;
 }

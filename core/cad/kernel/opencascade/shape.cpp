@@ -1,6 +1,5 @@
 #include "core/cad/kernel/opencascade/shape.hpp"
 
-#include <BRepLib.hxx>
 #include <BRep_Builder.hxx>
 #include <Geom2d_BSplineCurve.hxx>
 #include <Geom2d_Line.hxx>
@@ -23,7 +22,7 @@
 #include <algorithm>
 #include <map>
 
-#include "core/base/disjoint_sets.hpp"
+#include "core/cad/cad_shells.hpp"
 
 namespace hariko {
 
@@ -152,33 +151,38 @@ class ShapeMaker {
     return out;
   }
 
+  TopoDS_Shell make(const CadShell& shell) {
+    TopoDS_Shell out;
+    builder_.MakeShell(out);
+    for (const Index f : shell.faces) builder_.Add(out, faces_[f]);
+    out.Closed(shell.closed);
+    return out;
+  }
+
   std::vector<TopoDS_Shape> make_bodies(CadFileReport& report) {
-    DisjointSets parts(faces_.size());
-    std::map<Index, bool> open;
-    for (const CadEdge& edge : model_.edges)
-      if (edge.use_count == 2) parts.join(edge.uses[0].piece, edge.uses[1].piece);
-    for (const CadEdge& edge : model_.edges)
-      if (edge.use_count == 1 && !edge.degenerate) open[parts.find(edge.uses[0].piece)] = true;
-    std::map<Index, TopoDS_Shell> shells;
-    for (Index f = 0; f < faces_.size(); ++f) {
-      const auto [found, made] = shells.try_emplace(parts.find(f));
-      if (made) builder_.MakeShell(found->second);
-      builder_.Add(found->second, faces_[f]);
-    }
-    std::vector<TopoDS_Shape> out;
-    for (auto& [part, shell] : shells) {
-      if (open.contains(part)) {
-        ++report.open_shells;
-        out.push_back(shell);
-        continue;
+    const std::vector<CadShell> shells = cad_shells(model_);
+    std::map<Index, TopoDS_Solid> solids;
+    for (Index k = 0; k < shells.size(); ++k)
+      if (shells[k].closed && shells[k].hollows == no_index) {
+        builder_.MakeSolid(solids[k]);
+        builder_.Add(solids[k], make(shells[k]));
       }
-      shell.Closed(true);
-      TopoDS_Solid solid;
-      builder_.MakeSolid(solid);
-      builder_.Add(solid, shell);
-      BRepLib::OrientClosedSolid(solid);
-      ++report.solids;
-      out.push_back(solid);
+    for (const CadShell& shell : shells)
+      if (shell.hollows != no_index) {
+        builder_.Add(solids.at(shell.hollows), make(shell));
+        ++report.voids;
+      }
+    std::vector<TopoDS_Shape> out;
+    for (Index k = 0; k < shells.size(); ++k) {
+      const auto solid = solids.find(k);
+      if (solid != solids.end()) {
+        if (shells[k].volume < 0) solid->second.Reverse();
+        ++report.solids;
+        out.push_back(solid->second);
+      } else if (!shells[k].closed) {
+        ++report.open_shells;
+        out.push_back(make(shells[k]));
+      }
     }
     return out;
   }

@@ -4,6 +4,7 @@
 #include <BRep_Tool.hxx>
 #include <IMeshTools_Parameters.hxx>
 #include <Poly_Triangulation.hxx>
+#include <Precision.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopLoc_Location.hxx>
 #include <TopoDS.hxx>
@@ -13,11 +14,14 @@
 #include <map>
 #include <vector>
 
+#include "core/base/assert.hpp"
+
 namespace hariko {
 
 namespace {
 
-/// Joins the triangles of faces. Faces take the points along common edges from the edge, bit for bit equal.
+/// Joins the triangles of a body's faces. Faces take the points along common edges from the edge, bit for bit
+/// equal.
 class Welder {
  public:
   explicit Welder(PolygonMesh& mesh) : mesh_(mesh) {}
@@ -56,17 +60,21 @@ bool add(const TopoDS_Face& face, Welder& welder, PolygonMesh& mesh) {
 
 }  // namespace
 
-Triangulated triangulated(const TopoDS_Shape& shape, double tolerance, double angle,
-                          const Message_ProgressRange& range) {
+Triangulated triangulated(const TopoDS_Shape& shape, std::span<const Index> bodies, double tolerance,
+                          double angle, const Message_ProgressRange& range) {
   IMeshTools_Parameters parameters;
-  parameters.Deflection = tolerance;
+  parameters.Deflection = std::max(tolerance, Precision::Confusion());  // the mesher refuses less
   parameters.Angle = angle;
   parameters.InParallel = false;
   const BRepMesh_IncrementalMesh meshed(shape, parameters, range);
   Triangulated out;
-  Welder welder(out.mesh);
-  for (TopExp_Explorer face(shape, TopAbs_FACE); face.More(); face.Next())
+  std::map<Index, Welder> welders;
+  std::size_t number = 0;
+  for (TopExp_Explorer face(shape, TopAbs_FACE); face.More(); face.Next(), ++number) {
+    HARIKO_ASSERT(number < bodies.size(), "one number a face");
+    Welder& welder = welders.try_emplace(bodies[number], out.mesh).first->second;
     if (!add(TopoDS::Face(face.Current()), welder, out.mesh)) ++out.failed;
+  }
   return out;
 }
 

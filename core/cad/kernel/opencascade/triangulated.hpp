@@ -4,6 +4,7 @@
 
 #include <Message_ProgressRange.hxx>
 #include <TopoDS_Shape.hxx>
+#include <span>
 
 #include "core/polyhedron/polygon_mesh.hpp"
 
@@ -15,9 +16,11 @@ struct Triangulated {
   std::size_t failed = 0;  ///< faces without triangles
 };
 
-/// Triangulates all faces of a shape with chordal deviation `tolerance` (mm) and angular deviation `angle`
-/// (radians), oriented as the faces. Triangles that joining corners makes degenerate are left out.
-Triangulated triangulated(const TopoDS_Shape& shape, double tolerance, double angle,
-                          const Message_ProgressRange& range);
+/// Triangulates all faces of a shape with chordal deviation `tolerance` (mm; 1e-7 where it is less, the least
+/// that the kernel knows) and angular deviation `angle` (radians), oriented as the faces. `bodies` has a
+/// number for each face: points are joined within a body, and bodies that touch stay apart. Triangles that
+/// joining corners makes degenerate are left out.
+Triangulated triangulated(const TopoDS_Shape& shape, std::span<const Index> bodies, double tolerance,
+                          double angle, const Message_ProgressRange& range);
 
 }  // namespace hariko
