@@ -29,6 +29,7 @@
 #include "app/input/test_log.hpp"
 #include "app/jobs/background_work.hpp"
 #include "app/jobs/conversion_jobs.hpp"
+#include "app/jobs/edit_jobs.hpp"
 #include "app/jobs/exchange_jobs.hpp"
 #include "app/jobs/reference_jobs.hpp"
 #include "app/jobs/skin_jobs.hpp"
@@ -103,6 +104,7 @@ class Application final : private ApplicationServices {
         pictures_(renderer_, long_, folders_.cache / "thumbnails"),
         sample_pictures_(sample_pictures_folder(assets_folder()), workbench_.samples(), pictures_) {
     editor_.views = &engine_.views();
+    editor_.on_long_edit = [this](const LongEdit& edit) { long_edits_.make(edit); };
     editor_.on_notice = [this](Notice::Kind kind, const std::string& text) {
       if (kind != Notice::Kind::info) run_log_.line(kind == Notice::Kind::error ? "error" : "warning", text);
     };
@@ -313,7 +315,10 @@ class Application final : private ApplicationServices {
     for (const auto& [id, view] : engine_.views())
       if (engine_.pending(id)) editor_.stale_since[id] = engine_.pending_since(id);
     skins_.follow(engine_);
-    if (!ImGui::IsAnyMouseDown()) skins_.settle();
+    if (!ImGui::IsAnyMouseDown()) {
+      skins_.settle();
+      long_edits_.settle();
+    }
     const Settings& settings = editor_.settings;
     if (window_.set_appearance(settings.theme, settings.interface_scale))
       frames_ = frames_after_input;  // sizes settle again
@@ -369,6 +374,7 @@ class Application final : private ApplicationServices {
   RebuildEngine engine_;
   BackgroundWork long_;
   BackgroundWork edits_;  ///< edits made by a worker do not wait for files
+  EditJobs long_edits_{editor_, edits_};
   MeshPreviewer meshes_;
   PaperEngine paper_;
   SkinJobs skins_;

@@ -26,6 +26,26 @@ std::string owner_text(const Language& tr, const std::optional<LockOwner>& owner
   return fill(tr("{0} on {1}"), {owner->user, owner->host});
 }
 
+/// Note about surfaces that are made by equal angles; null where there are none.
+const char* note_about_frames(const Document& document) {
+  bool rounder = false, any = false;
+  for (const auto& object : document.objects) {
+    if (surface_frames(object->source) != Frames::equal) continue;
+    const PolyhedronSource* polyhedron = object->polyhedron();
+    rounder = rounder || (polyhedron && polyhedron->mode == Mode::g2);
+    any = any || !polyhedron || polyhedron->mode == Mode::fair;
+  }
+  if (rounder)
+    return translatable(
+        "Surfaces G2 of this document are rounder than they were before. Shape > Surfaces by measure makes "
+        "them even over uneven cages.");
+  if (any)
+    return translatable(
+        "Surfaces of this document are made by equal angles, as they were. Shape > Surfaces by measure makes "
+        "them even over uneven cages.");
+  return nullptr;
+}
+
 }  // namespace
 
 struct DocumentSession::Opened {
@@ -142,7 +162,7 @@ void DocumentSession::ask_about_lock(const std::shared_ptr<Opened>& opened) {
 void DocumentSession::warn_about_lock(const fs::path& path, const FileLock::Attempt& attempt) {
   const Language& tr = editor_.language;
   const std::string reason =
-      attempt.outcome == Outcome::unavailable ? attempt.reason : tr("no locks on this disk");
+      attempt.outcome == Outcome::unavailable ? tr(attempt.reason) : tr("no locks on this disk");
   editor_.notify(Notice::Kind::warning,
                  fill(tr("{0} cannot be locked ({1}). Take care that no other window saves it."),
                       {name_of(path), reason}));
@@ -154,7 +174,10 @@ void DocumentSession::install(const std::shared_ptr<Opened>& opened, Mode mode) 
   hooks_.replaced();
   editor_.open(*opened->file.document, file ? std::optional(opened->path) : std::nullopt);
   editor_.read_only = mode == Mode::read_only;
-  if (!file) editor_.suggested_name = opened->path.stem().string() + (mode == Mode::copy ? " copy" : "");
+  if (!file) {
+    const std::string stem = opened->path.stem().string();
+    editor_.suggested_name = mode == Mode::copy ? fill(editor_.language("{0} copy"), {stem}) : stem;
+  }
   document_ = editor_.documents;
   disk_ = file ? Disk{opened->stamp, opened->file.document} : Disk{};
   if (!opened->own_lock) lock_ = std::move(opened->attempt.lock);
@@ -164,23 +187,8 @@ void DocumentSession::install(const std::shared_ptr<Opened>& opened, Mode mode) 
   constexpr std::size_t most_warnings = 6;
   for (std::size_t i = 0; i < std::min(most_warnings, opened->file.messages.size()); ++i)
     editor_.notify(opened->file.messages[i]);
-  const auto& objects = opened->file.document->objects;
-  const auto any_equal = [&](hariko::Mode asked) {
-    return opened->file.native && std::any_of(objects.begin(), objects.end(), [&](const auto& object) {
-             const PolyhedronSource* source = object->polyhedron();
-             return source && source->mode == asked && source->frames == Frames::equal;
-           });
-  };
-  if (any_equal(hariko::Mode::g2))
-    editor_.notify(Notice::Kind::info,
-                   editor_.language(translatable("Surfaces G2 of this document are rounder than they were "
-                                                 "before. Shape > Surfaces by measure makes them even over "
-                                                 "uneven cages.")));
-  else if (any_equal(hariko::Mode::fair))
-    editor_.notify(
-        Notice::Kind::info,
-        editor_.language(translatable("Surfaces of this document are made by equal angles, as they were. "
-                                      "Shape > Surfaces by measure makes them even over uneven cages.")));
+  if (const char* note = opened->file.native ? note_about_frames(*opened->file.document) : nullptr)
+    editor_.notify(Notice::Kind::info, editor_.language(note));
   if (!opened->sample) recent_.used(opened->path);
   hooks_.log("opened", opened->path);
 }
@@ -388,7 +396,7 @@ void DocumentSession::finish_recovery(const std::string& id, Recovered& recovere
   editor_.notices().clear();
   hooks_.replaced();
   editor_.open(recovered.copy->document, file ? std::optional(note.original) : std::nullopt);
-  if (in_use) editor_.suggested_name = note.original.stem().string() + " recovered";
+  if (in_use) editor_.suggested_name = fill(tr("{0} recovered"), {note.original.stem().string()});
   editor_.history.mark_unsaved();
   document_ = editor_.documents;
   disk_ = {file ? note.original_stamp : std::nullopt, std::nullopt};

@@ -161,6 +161,9 @@ class Search {
  private:
   PickHit* add_if_near(std::size_t o, Index e, const ScreenEdge& edge, std::vector<PickHit>& hits) const;
   void add_curves(std::size_t o, std::vector<PickHit>& hits) const;
+  bool has_pickable_elements(const SceneObject& object) const {
+    return object.elements_pickable && (options_.copies || !object.copy);
+  }
   bool visible(const PickHit& hit) const {
     if (!options_.visible_only) return true;
     // A straight line inside the surface is hidden where a curve represents the edge.
@@ -194,7 +197,7 @@ std::vector<PickHit> Search::vertices() {
   std::vector<PickHit> hits;
   for (std::size_t o = 0; o < scene_.objects.size(); ++o) {
     const SceneObject& object = scene_.objects[o];
-    if (!object.polyhedron || !object.elements_pickable) continue;
+    if (!object.polyhedron || !has_pickable_elements(object)) continue;
     for (std::size_t v = 0; v < object.polyhedron->positions.size(); ++v) {
       const Vector3 world = world_position(object, static_cast<Index>(v));
       const auto at = projector_.project(world);
@@ -212,7 +215,7 @@ std::vector<PickHit> Search::edges() {
   std::vector<PickHit> hits;
   for (std::size_t o = 0; o < scene_.objects.size(); ++o) {
     const SceneObject& object = scene_.objects[o];
-    if (!object.polyhedron || !object.elements_pickable) continue;
+    if (!object.polyhedron || !has_pickable_elements(object)) continue;
     if (object.curves_pickable()) add_curves(o, hits);
     const std::vector<Vector3> pixels = project_vertices(object, projector_);
     for (Index e = 0; e < object.polyhedron->edges.size(); ++e)

@@ -20,6 +20,8 @@ struct PickOptions {
   bool vertices = true, edges = true, faces = true;
   /// Excludes elements behind the polyhedra's faces or the surfaces.
   bool visible_only = false;
+  /// Finds vertices and edges at further places of objects, too, where they stand for the whole object.
+  bool copies = false;
   /// Uses shown surfaces for picking faces (through provenance) and for occlusion.
   bool use_surface = true;
 };

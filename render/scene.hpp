@@ -82,6 +82,9 @@ struct SceneObject {
   /// the polyhedron's.
   std::shared_ptr<const EdgeCurves> edge_curves;
   Matrix4 transform = Matrix4::Identity();  ///< object to world, a similarity
+  /// A further place of an object that the scene has already: it shares its buffers. Its vertices and edges
+  /// are not picked, unless they stand for the whole (`PickOptions::copies`).
+  bool copy = false;
 
   SurfaceMap map = SurfaceMap::shaded;
   ValueRange range;  ///< for maps with values

@@ -319,7 +319,7 @@ def object_text(number_, name, source, cage=True, network=True):
 
 def document(*objects):
     return (
-        f'{{\n  "format": "hariko",\n  "version": 8,\n  "unit": "mm",\n  "next_object_id": {len(objects) + 1},\n'
+        f'{{\n  "format": "hariko",\n  "version": 9,\n  "unit": "mm",\n  "next_object_id": {len(objects) + 1},\n'
         '  "objects": [\n' + ",\n".join(objects) + "\n  ]\n}\n"
     )
 
@@ -341,6 +341,7 @@ def outline(loops, method, sign="positive", radius=0.6):
         f'        "radius": {number(radius)}',
         '        "most_points": 20000',
         '        "mode": "fair"',
+        '        "frames": "metric"',
     ]
 
 

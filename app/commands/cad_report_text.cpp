@@ -32,6 +32,7 @@ std::string text_of(const CadExportReport& report, Unit unit) {
              " % of the curvature there\n";
   }
   out += "file: " + std::to_string(report.file.solids) + " solids, " +
+         (report.file.voids > 0 ? std::to_string(report.file.voids) + " voids, " : std::string()) +
          std::to_string(report.file.open_shells) + " open shells, " +
          (report.file.valid ? "valid" : "NOT VALID") + " by OpenCASCADE, largest edge tolerance " +
          number(report.file.edge_tolerance) + " mm, " + std::to_string(report.bytes) + " bytes\n";

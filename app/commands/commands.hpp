@@ -47,7 +47,7 @@ struct SolidsConstruction {
 /// Construction of all surfaces, instead of the document's own, and reading of meshes.
 struct Construction {
   std::optional<Mode> mode;                 ///< mode of polyhedra, and of outlines where it is `fair` or `g2`
-  std::optional<Frames> frames = {};        ///< frames of polyhedra
+  std::optional<Frames> frames = {};        ///< frames of polyhedra and outlines
   std::optional<bool> merge_coplanar = {};  ///< merging of coplanar faces of polyhedra
   OutlineConstruction outlines = {};
   SolidsConstruction solids = {};

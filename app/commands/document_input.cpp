@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "app/commands/console.hpp"
+#include "app/files/reading.hpp"
 #include "core/document/edits/edit_objects.hpp"
 #include "core/envelope/ball/tightness.hpp"
 
@@ -21,6 +22,7 @@ void choose(OutlineSettings& settings, const Construction& construction) {
   if (chosen.gap) settings.gap = chosen.gap;
   if (construction.mode == Mode::fair || construction.mode == Mode::g2)
     settings.curvature_continuous = construction.mode == Mode::g2;
+  settings.frames = construction.frames.value_or(settings.frames);
 }
 
 void choose(SolidsSource& source, const SolidsConstruction& chosen) {
@@ -43,7 +45,8 @@ void choose(SolidsSource& source, const SolidsConstruction& chosen) {
 
 OpenedFile open_as_asked(const std::filesystem::path& file, const Reading& reading,
                          const Progress& progress) {
-  OpenedFile opened = open_file(file, {}, progress, reading.join);
+  OpenedFile opened = open_file(file, {}, progress, join_choice(reading));
+  if (opened.document && reading.repair) turn_outwards(opened);
   if (opened.document || !opened.broken_mesh) return opened;
   const bool repairs = reading.repair && opened.repaired;
   if (repairs || (reading.reference && opened.reference)) {
@@ -56,7 +59,8 @@ OpenedFile open_as_asked(const std::filesystem::path& file, const Reading& readi
     opened.document = repairs ? opened.repaired : opened.reference;
     return opened;
   }
-  const std::string repair = opened.repaired ? "--repair mends it (" + repair_text(opened.repair) + ")" : "",
+  const std::string changes = repair_text(opened.repair), list = changes.empty() ? "" : " (" + changes + ")",
+                    repair = opened.repaired ? "--repair mends it" + list : "",
                     reference = opened.reference ? "--reference keeps its facets" : "";
   if (!repair.empty() || !reference.empty())
     opened.messages.push_back(make_warning(

@@ -218,6 +218,13 @@ void inspect_facets(const PolygonMesh& mesh, double scale, ObjectInfo& info) {
   info.milliseconds.emplace_back("measures", watch.lap());
 }
 
+/// Lets the totals be those of all places of an object.
+void count_places(std::size_t places, ObjectInfo& info) {
+  info.places = places;
+  for (std::optional<double>* total : {&info.area, &info.volume, &info.bending})
+    if (*total) **total *= static_cast<double>(places);
+}
+
 }  // namespace
 
 bool ObjectInfo::failed() const {
@@ -243,6 +250,7 @@ ObjectInfo inspect(const Document& document, const Object& object, const Documen
   } else if (const MeshSource* mesh = object.mesh()) {
     inspect_facets(*mesh->mesh, scale, info);
   }
+  if (!object.copies->empty()) count_places(place_count(object), info);
   return info;
 }
 

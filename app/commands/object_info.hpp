@@ -61,6 +61,8 @@ struct ObjectInfo {
   std::optional<double> area, volume, bending, largest_gap, largest_normal_jump, rms_curvature_jump;
   std::optional<CurvatureRange> gauss_range, mean_range;
   std::optional<std::size_t> degenerate_samples, folded_samples;
+  /// Number of places, where there are live copies; area, volume and bending are those of all of them.
+  std::optional<std::size_t> places;
   std::optional<EnvelopeInfo> envelope;
   std::optional<SkinInfo> skin;
   std::optional<OutlineInfo> outline;

@@ -116,6 +116,7 @@ InfoMembers members_of(const ObjectInfo& info) {
                      {"mean_range", range_of(info.mean_range)},
                      {"degenerate_samples", info.degenerate_samples},
                      {"folded_samples", info.folded_samples}};
+  if (info.places) out.push_back({"places", *info.places});
   if (info.envelope) out.push_back({"envelope", members_of(*info.envelope)});
   if (info.skin) out.push_back({"skin", members_of(*info.skin)});
   if (info.outline) out.push_back({"outline", members_of(*info.outline)});

@@ -37,8 +37,11 @@ Result<CutObjects> cut_objects(const Document& document) {
       if (!built.ok()) return built.error();
       surface = std::move(built.value().surface);
     }
-    out.surfaces.push_back({std::move(surface), Eigen::Affine3d(matrix_of(object->transform))});
-    out.names.push_back(object->name);
+    const std::vector<Similarity> places = places_of(*object);
+    for (std::size_t k = 0; k < places.size(); ++k) {
+      out.surfaces.push_back({surface, Eigen::Affine3d(matrix_of(places[k]))});
+      out.names.push_back(name_of_place(*object, k));
+    }
   }
   if (out.surfaces.empty())
     return make_error(e_nothing_to_show, "No visible object of the file has a shape to show.",

@@ -148,6 +148,7 @@ std::optional<std::vector<ShownObject>> shown_objects_or_report(const Document& 
     return std::nullopt;
   }
   std::vector<ShownObject> out;
+  std::size_t count = 0;
   std::vector<std::pair<std::string, Message>> missing;  // with the object's name
   for (const Message& warning : left_out_of_triangles(document)) report(file, warning);
   for (const auto& object : document.objects) {
@@ -157,12 +158,16 @@ std::optional<std::vector<ShownObject>> shown_objects_or_report(const Document& 
       report(file + ": " + object->name, made.error());
       return std::nullopt;
     }
+    ++count;
     MappedObject mapped = std::move(made).value();
     if (mapped.missing) missing.emplace_back(object->name, *mapped.missing);
-    out.push_back(std::move(mapped.shown));
+    for (const Similarity& place : places_of(*object)) {
+      out.push_back(mapped.shown);
+      out.back().part.transform = matrix_of(place);
+    }
   }
   // A picture of nothing but objects without values would not be what was asked for.
-  const bool failed = !missing.empty() && missing.size() == out.size();
+  const bool failed = !missing.empty() && missing.size() == count;
   for (auto& [name, message] : missing) {
     if (!failed) message.severity = Severity::warning;
     report(file + ": " + name, message);

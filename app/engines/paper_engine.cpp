@@ -127,8 +127,8 @@ bool PaperEngine::same_objects(const Source& a, const Source& b) {
   return a.unit == b.unit && a.wanted == b.wanted &&
          std::equal(a.objects.begin(), a.objects.end(), b.objects.begin(), b.objects.end(),
                     [](const auto& x, const auto& y) {
-                      return x == y ||
-                             (x->id == y->id && x->transform == y->transform && x->source == y->source);
+                      return x == y || (x->id == y->id && x->transform == y->transform &&
+                                        x->source == y->source && x->copies == y->copies);
                     });
 }
 

@@ -18,7 +18,8 @@ SectionEngine::Request SectionEngine::wanted() const {
   for (const auto& object : editor_.document().objects) {
     const SurfaceView* view =
         object->visible && object->display.surface && editor_.views ? editor_.view_of(object->id) : nullptr;
-    if (view && view->mesh) out.surfaces.emplace_back(view->mesh, object->transform);
+    if (!view || !view->mesh) continue;
+    for (const Similarity& place : places_of(*object)) out.surfaces.emplace_back(view->mesh, place);
   }
   return out;
 }

@@ -21,9 +21,12 @@ Result<Done> export_control_meshes(const Document& document, const std::filesyst
       error.text = object->name + ": " + error.text;
       return error;
     }
-    meshes.push_back(std::move(made.value().mesh.control));
-    for (Vector3& p : meshes.back().mesh.positions) p = object->transform.apply(local.origin + p);
-    named.push_back({object->name, &meshes.back()});
+    const std::vector<Similarity> places = places_of(*object);
+    for (std::size_t k = 0; k < places.size(); ++k) {
+      meshes.push_back(made->mesh.control);
+      for (Vector3& p : meshes.back().mesh.positions) p = places[k].apply(local.origin + p);
+      named.push_back({name_of_place(*object, k), &meshes.back()});
+    }
   }
   if (named.empty())
     return make_error(e_no_skin, "There is no visible skin whose control mesh could be written.",

@@ -79,6 +79,7 @@ Message cancelled() {
   return make_error(e_cancelled, "The export was cancelled.");
 }
 
+/// Makes the model of an object in its own space, with its report.
 Result<MadeObject> make_object(const Document& document, const Object& object, const CadChoices& choices,
                                const Wall& wall, const CancelToken& cancel, const Progress& progress) {
   const auto built = walled_surface(document, object, wall, FoldedWalls::refuse, cancel);
@@ -112,7 +113,6 @@ Result<MadeObject> make_object(const Document& document, const Object& object, c
   report.curvature_jump = measure.curvature_jump;
   report.unreached = std::size_t(std::count_if(measure.distances.begin(), measure.distances.end(),
                                                [&](double distance) { return distance > tolerance; }));
-  place(out.model, object.transform, choices.scale * millimetres_per(document.unit));
   return out;
 }
 
@@ -164,21 +164,35 @@ std::optional<Message> check_iges_digits(const MadeObject& made, const Document&
                     "Move the model to zero, write STEP, or choose a larger tolerance.");
 }
 
-/// E_FILE_DIGITS for a shape that the kernel's check refuses where doubles so far from zero are too coarse
-/// for it: it joins what is nearer than 1e-7 mm, and a point on a spline is a sum of some rounded products.
+/// Largest length from zero, in mm, at which the kernel's shapes hold: it joins what is nearer than 1e-7 mm,
+/// and a point on a spline is a sum of some rounded products.
+constexpr double farthest_for_kernel = 1e-7 / (8 * std::numeric_limits<double>::epsilon());
+
+/// E_FILE_DIGITS for shapes that the kernel refuses where doubles so far from zero are too coarse for it. It
+/// names the farthest object.
 std::optional<Message> check_kernel_digits(const std::vector<MadeObject>& made) {
-  constexpr double joined = 1e-7, roundings = 8;
-  double largest = 0;
-  for (const MadeObject& one : made) largest = std::max(largest, largest_coordinate(one.model));
-  const double rounding = largest * std::numeric_limits<double>::epsilon();
-  if (!(roundings * rounding > joined)) return {};
+  const auto farthest =
+      std::max_element(made.begin(), made.end(), [](const MadeObject& a, const MadeObject& b) {
+        return largest_coordinate(a.model) < largest_coordinate(b.model);
+      });
+  if (farthest == made.end()) return {};
+  const double largest = largest_coordinate(farthest->model);
+  if (!(largest > farthest_for_kernel)) return {};
+  Eigen::AlignedBox3d all;
+  for (const MadeObject& one : made) all.extend(cad_box(one.model));
+  const bool moving_helps = all.sizes().maxCoeff() / 2 <= farthest_for_kernel;
   std::array<char, 32> text;
   const auto end =
-      std::to_chars(text.data(), text.data() + text.size(), rounding, std::chars_format::general, 3);
+      std::to_chars(text.data(), text.data() + text.size(), largest * std::numeric_limits<double>::epsilon(),
+                    std::chars_format::general, 3);
   return make_error(e_file_digits,
-                    "So far from zero, numbers in the file are " + std::string(text.data(), end.ptr) +
+                    farthest->report.name + ": So far from zero, numbers in the file are " +
+                        std::string(text.data(), end.ptr) +
                         " mm apart, and faces of a closed shape have to meet to 0.0000001 mm.",
-                    "Move the model to zero; on the command line --origin zero does that for the file.");
+                    moving_helps
+                        ? "Move the model to zero; on the command line --origin zero does that for the file."
+                        : "Move the object nearer to the others, or hide it and export it by itself, moved "
+                          "to zero (--origin zero).");
 }
 
 /// Models of all visible objects; at least one.
@@ -194,7 +208,14 @@ Result<std::vector<MadeObject>> make_objects(const Document& document, const Cad
     if (!object->visible || !object->has_surface()) continue;
     auto one = make_object(document, *object, choices, wall, cancel, part);
     if (!one.ok()) return one.error();
-    if (!one->model.faces.empty()) made.push_back(std::move(one).value());
+    if (one->model.faces.empty()) continue;
+    const std::vector<Similarity> places = places_of(*object);
+    for (std::size_t k = 0; k < places.size(); ++k) {
+      made.push_back(*one);
+      made.back().report.name = name_of_place(*object, k);
+      if (k > 0) made.back().report.warnings.clear();
+      place(made.back().model, places[k], choices.scale * millimetres_per(document.unit));
+    }
   }
   if (!made.empty()) return made;
   if (const std::size_t facets = visible_reference_objects(document); facets > 0)
@@ -226,9 +247,9 @@ Result<CadExportReport> export_cad(const Document& document, const std::filesyst
   options.unit = cad_unit(choices.unit);
   options.time = time;
   auto file = make_cad_file(objects, options, cancel, progress.part(modelling, 0.95));
-  if (!file.ok()) return file.error();
-  if (!file->report.valid)
+  if (!file.ok() ? file.error().code == e_cad_kernel : !file->report.valid)
     if (auto wrong = check_kernel_digits(*made)) return *wrong;
+  if (!file.ok()) return file.error();
   if (const auto done = write_file_atomic(path, file->bytes); !done.ok()) return done.error();
   CadExportReport report;
   for (const MadeObject& one : *made) report.objects.push_back(one.report);

@@ -27,10 +27,21 @@ Result<NamedMesh> tessellated(const Document& document, const Object& object, in
   if (!built.ok()) return built.error();
   progress.report(0.6);
   const auto n = static_cast<std::size_t>(density);
-  triangles += built->surface.patch_count() * n * n;
+  triangles += built->surface.patch_count() * n * n * place_count(object);
   if (triangles > max_triangles) return beyond_limit();
   return NamedMesh{object.name, tessellate(built->surface, density, cancel), colour_of(object),
                    built->warnings};
+}
+
+/// Appends the mesh of an object once for each of its places.
+void append_at_places(std::vector<NamedMesh>& meshes, const Object& object, const NamedMesh& made) {
+  const std::vector<Similarity> places = places_of(object);
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    meshes.push_back(made);
+    meshes.back().name = name_of_place(object, k);
+    if (k > 0) meshes.back().warnings.clear();
+    place(meshes.back().mesh, places[k]);
+  }
 }
 
 }  // namespace
@@ -72,15 +83,15 @@ Result<std::vector<NamedMesh>> density_meshes(const Document& document, int dens
     part.report(0);
     if (!object->visible || !has_shape(*object)) continue;
     if (const MeshSource* facets = object->mesh()) {
-      meshes.push_back({object->name, triangles_of(*facets), colour_of(*object)});
-      triangles += meshes.back().mesh.triangles.size();
+      const NamedMesh made{object->name, triangles_of(*facets), colour_of(*object)};
+      triangles += made.mesh.triangles.size() * place_count(*object);
       if (triangles > max_triangles) return beyond_limit();
+      append_at_places(meshes, *object, made);
     } else {
-      auto made = tessellated(document, *object, density, wall, triangles, cancel, part);
+      const auto made = tessellated(document, *object, density, wall, triangles, cancel, part);
       if (!made.ok()) return made.error();
-      meshes.push_back(std::move(made).value());
+      append_at_places(meshes, *object, *made);
     }
-    place(meshes.back().mesh, object->transform);
   }
   if (cancel.cancelled()) return make_error(e_cancelled, "The export was cancelled.");
   if (meshes.empty())

@@ -167,11 +167,16 @@ Result<std::vector<MeshedObject>> mesh_surfaces(const Document& document, const 
     own.options = in_object_space(own.options, object->transform.scale);
     auto made = mesh_object(document, *object, own, cancel, part);
     if (!made.ok()) return made.error();
-    place(made.value(), object->transform);
-    out.push_back(std::move(made).value());
-    out.back().colour = colour_of(*object);
-    out.back().most_rounding = digits;
-    out.back().most_turn = left_for_turns(request.options.criteria, out.back().result);
+    made.value().colour = colour_of(*object);
+    made.value().most_rounding = digits;
+    made.value().most_turn = left_for_turns(request.options.criteria, made->result);
+    const std::vector<Similarity> places = places_of(*object);
+    for (std::size_t k = 0; k < places.size(); ++k) {
+      out.push_back(*made);
+      out.back().name = name_of_place(*object, k);
+      if (k > 0) out.back().warnings.clear(), out.back().result.warnings.clear();
+      place(out.back(), places[k]);
+    }
   }
   if (out.empty())
     return make_error(e_no_surface, "There is nothing to approximate.", "Show an object or import one.");

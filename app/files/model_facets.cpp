@@ -41,6 +41,24 @@ void append(ModelFacets& out, const PolygonMesh& mesh, const Vector3& origin, co
   }
 }
 
+/// Appends the polygons of an object, which are in its own space, at all its places. At the further ones
+/// their vertices have names of their own: numbers go on, parameters are two larger from place to place.
+/// Stops behind the place that exceeds the limit of facets.
+void append_places(ModelFacets& out, const Object& object, const PolygonMesh& mesh, const Vector3& origin,
+                   std::vector<PaperVertex> names) {
+  const auto count = static_cast<std::uint32_t>(names.size());
+  for (const Similarity& place : places_of(object)) {
+    append(out, mesh, origin, place, names);
+    if (out.mesh.face_count() > max_facets) return;
+    for (PaperVertex& name : names) {
+      if (name.element.kind == Element::Kind::none)
+        name.side += count;
+      else
+        name.u += 2;
+    }
+  }
+}
+
 std::vector<PaperVertex> numbered(ObjectId object, std::size_t count) {
   std::vector<PaperVertex> names(count);
   for (std::size_t v = 0; v < count; ++v) names[v] = {object, {}, static_cast<std::uint32_t>(v), 0, 0};
@@ -77,7 +95,7 @@ std::vector<PaperVertex> names_on(const Surface& surface, const MeshApproximatio
 void append_mesh(ModelFacets& out, const Object& object, const MeshSource& source) {
   PolygonMesh mesh = *source.mesh;
   join_equal_corners(mesh);
-  append(out, mesh, source.origin, object.transform, numbered(object.id, mesh.positions.size()));
+  append_places(out, object, mesh, source.origin, numbered(object.id, mesh.positions.size()));
 }
 
 void append_polyhedron(ModelFacets& out, const Object& object) {
@@ -91,7 +109,7 @@ void append_polyhedron(ModelFacets& out, const Object& object) {
   std::vector<PaperVertex> names;
   for (Index v = 0; v < polyhedron.vertex_count(); ++v)
     names.push_back({object.id, element_of(polyhedron.vertex_id(v)), 0, 0, 0});
-  append(out, mesh, object.cage_origin(), object.transform, std::move(names));
+  append_places(out, object, mesh, object.cage_origin(), std::move(names));
 }
 
 Result<Done> append_surface(ModelFacets& out, const Document& document, const Object& object,
@@ -116,17 +134,31 @@ Result<Done> append_surface(ModelFacets& out, const Document& document, const Ob
     if (warning.code == w_mesh_limit) return too_many();
     out.warnings.push_back(named(warning));
   }
-  append(out, polygons_of(made->mesh), Vector3::Zero(), object.transform,
-         names_on(built->surface, *made, object.id));
+  append_places(out, object, polygons_of(made->mesh), Vector3::Zero(),
+                names_on(built->surface, *made, object.id));
   return Done{};
+}
+
+/// Turns closed parts outwards; returns the number of faces that were turned.
+std::size_t turn_part_outwards(PolygonMesh& mesh) {
+  PolygonMesh turned = orient_where_possible(mesh);
+  std::size_t count = 0;
+  for (std::size_t f = 0; f < mesh.face_count(); ++f)
+    count += !std::equal(mesh.face(f).begin(), mesh.face(f).end(), turned.face(f).begin());
+  if (count > 0) mesh = std::move(turned);
+  return count;
 }
 
 /// Repairs parts that cannot be unfolded, or warns that they can be repaired.
 void repair_parts(std::vector<ImportedPart>& parts, bool repair, std::vector<Message>& warnings) {
   RepairReport done;
   bool faulty = false, helps = true;
+  std::size_t outwards = 0;
   for (ImportedPart& part : parts) {
-    if (unfolding_errors(part.mesh, 1).empty()) continue;
+    if (unfolding_errors(part.mesh, 1).empty()) {
+      if (repair) outwards += turn_part_outwards(part.mesh);
+      continue;
+    }
     faulty = true;
     auto repaired = make_manifold(part.mesh);
     helps = helps && repaired.ok() && unfolding_errors(repaired->mesh, 1).empty();
@@ -134,12 +166,14 @@ void repair_parts(std::vector<ImportedPart>& parts, bool repair, std::vector<Mes
     add_counts(done, repaired->report);
     if (repair) part.mesh = std::move(repaired).value().mesh;
   }
+  if (outwards > 0) warnings.push_back(turned_outwards_message(outwards));
   if (!faulty) return;
   if (repair)
     warnings.push_back(repaired_message(done));
-  else if (helps)
+  else if (const std::string changes = repair_text(done); helps)
     warnings.push_back(make_warning(
-        w_can_be_opened, "The mesh can be unfolded: --repair mends it (" + repair_text(done) + ")."));
+        w_can_be_opened, changes.empty() ? std::string("The mesh can be unfolded: --repair mends it.")
+                                         : "The mesh can be unfolded: --repair mends it (" + changes + ")."));
 }
 
 /// Facets from the polygons of a mesh file.
@@ -147,7 +181,7 @@ ModelFacets polygons_of_file(ImportedScene scene, const Reading& reading) {
   ModelFacets out;
   out.warnings = std::move(scene.warnings);
   CleanReport cleaned;
-  for (ImportedPart& part : scene.parts) clean(part, reading.join, cleaned);
+  for (ImportedPart& part : scene.parts) clean(part, join_choice(reading), cleaned);
   for (Message& message : cleaned.messages()) out.warnings.push_back(std::move(message));
   repair_parts(scene.parts, reading.repair, out.warnings);
   const double factor = scene.metres_per_unit.value_or(0.001) / 0.001;
@@ -199,7 +233,8 @@ Result<ModelFacets> model_facets(const std::filesystem::path& file, const FacetO
     if (scene->patches.empty()) return polygons_of_file(std::move(scene).value(), reading);
     meshing.of_polyhedra = true;  // polygons beside patches stay unchanged
   }
-  OpenedFile opened = open_file(file, cancel, {}, reading.join);
+  OpenedFile opened = open_file(file, cancel, {}, join_choice(reading));
+  if (reading.repair) turn_outwards(opened);
   const bool repairs = !opened.document && reading.repair && opened.repaired;
   const auto& document = repairs ? opened.repaired : opened.document;
   if (!document) {

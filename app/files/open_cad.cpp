@@ -34,14 +34,15 @@ Result<Document> with_part(Document document, CadPart part, const std::string& n
   const DisplaySettings display = display_of(part);
   const bool both = !part.patches.empty() && part.mesh.face_count() > 0;
   if (!part.patches.empty()) {
-    auto next = with_patches(document, std::move(part.patches), name, display, true);
+    auto next = with_patches(document, std::move(part.patches), name, display, part.visible);
     if (!next.ok()) return next;
     document = std::move(next).value();
   }
   if (part.mesh.face_count() > 0) {
     auto source = MeshSource::from_mesh(std::move(part.mesh));
     if (!source.ok()) return source.error();
-    auto next = with_object(document, both ? name + " (mesh)" : name, std::move(source).value(), display);
+    auto next = with_object(document, both ? name + " (mesh)" : name, std::move(source).value(), display,
+                            part.visible);
     if (!next.ok()) return next;
     document = std::move(next).value();
   }
@@ -52,8 +53,11 @@ Result<Document> with_part(Document document, CadPart part, const std::string& n
 }  // namespace
 
 Result<OpenedCad> open_cad(const std::filesystem::path& file, const std::string& name,
-                           const CancelToken& cancel, const Progress& progress) {
-  auto scene = read_cad_file(file, {}, cancel, progress);
+                           const CancelToken& cancel, const Progress& progress,
+                           std::optional<CadFormat> format) {
+  CadReadOptions options;
+  options.format = format;
+  auto scene = read_cad_file(file, options, cancel, progress);
   if (!scene.ok()) return scene.error();
   OpenedCad out{{}, std::move(scene.value().warnings)};
   const bool alone = scene->parts.size() == 1;

@@ -7,6 +7,7 @@
 #include <set>
 #include <utility>
 
+#include "app/files/content_ending.hpp"
 #include "app/files/foreign_format.hpp"
 #include "app/files/open_cad.hpp"
 #include "app/files/reading.hpp"
@@ -30,6 +31,7 @@
 #include "core/exchange/read_patches.hpp"
 #include "core/modeling/objects/patch_objects.hpp"
 #include "core/polyhedron/validation.hpp"
+#include "core/skinning/sections/closing_points.hpp"
 #include "core/surface/weld_patches.hpp"
 
 namespace hariko {
@@ -37,6 +39,7 @@ namespace hariko {
 namespace {
 
 constexpr Code w_corner_left_out{"W_CORNER_LEFT_OUT"};
+constexpr Code w_closing_point{"W_CLOSING_POINT"};
 
 Result<PolyhedronSource> imported(const PolygonMesh& mesh) {
   auto source = PolyhedronSource::from_mesh(mesh);
@@ -227,14 +230,22 @@ void open_mesh(const std::filesystem::path& file, const CancelToken& cancel, con
 }
 
 /// Source of a JSON file of another layout: solids, sections or outlines.
-Result<Source> read_layout(JsonKind kind, std::string_view text) {
+Result<Source> read_layout(JsonKind kind, std::string_view text, std::vector<Message>& warnings) {
   if (kind == JsonKind::scene) {
     auto input = read_scene(text);
     return input.ok() ? Result<Source>(SolidsSource{std::move(input).value(), {}}) : input.error();
   }
   if (kind == JsonKind::skin) {
     auto skin = read_skin_layout(text);
-    return skin.ok() ? Result<Source>(SkinSource{std::move(skin).value(), {}}) : skin.error();
+    if (!skin.ok()) return skin.error();
+    if (const std::size_t count = drop_closing_points(skin.value()); count > 0)
+      warnings.push_back(make_warning(
+          w_closing_point,
+          count == 1
+              ? std::string("A section repeats its first point at its end: the repeated point was left out.")
+              : std::to_string(count) +
+                    " sections repeat their first point at their end: the repeated points were left out."));
+    return Source(SkinSource{std::move(skin).value(), {}});
   }
   HARIKO_ASSERT(kind == JsonKind::outline, "not a layout of its own");
   auto outline = read_outline(text);
@@ -247,7 +258,7 @@ void open_layout(const std::filesystem::path& file, JsonKind kind, OpenedFile& o
   const auto made = [&]() -> Result<Added> {
     const auto text = read_file(file, max_document_bytes);
     if (!text.ok()) return text.error();
-    auto source = read_layout(kind, *text);
+    auto source = read_layout(kind, *text, opened.messages);
     if (!source.ok()) return source.error();
     auto origin = read_origin(*text);
     if (!origin.ok()) return origin.error();
@@ -306,16 +317,17 @@ void take(Result<OpenedCad> cad, OpenedFile& opened) {
   opened.says_unit = true;
 }
 
-/// Kinds of files with an unknown ending, by their first bytes.
-enum class Looks { document, mesh, foreign };
+/// Kinds of files with an unknown ending, by their content.
+enum class Looks { document, mesh, step, iges, foreign };
 
 Result<Looks> looks_of(const std::filesystem::path& file) {
   if (has_foreign_ending(file) && std::filesystem::exists(file)) return Looks::foreign;
   const auto bytes = read_file(file);
   if (!bytes.ok()) return bytes.error();
-  const std::size_t first = bytes->find_first_not_of(" \t\r\n\xef\xbb\xbf");
-  if (first != std::string::npos && (*bytes)[first] == '{') return Looks::document;
-  return format_of_content(*bytes) ? Looks::mesh : Looks::foreign;
+  const auto ending = ending_of_content(*bytes);
+  if (!ending) return Looks::foreign;
+  if (ending == "json" || ending == "hariko") return Looks::document;
+  return ending == "step" ? Looks::step : ending == "iges" ? Looks::iges : Looks::mesh;
 }
 
 /// Kind of content of a file that is not a mesh. Errors: those of `read_file` and `json_kind`;
@@ -357,6 +369,11 @@ OpenedFile open_file(const std::filesystem::path& file, const CancelToken& cance
     const auto looks = looks_of(file);
     if (looks.ok() && *looks == Looks::mesh) {
       open_mesh(file, cancel, progress, join, opened);
+      return cancel.cancelled() ? cancelled_file() : std::move(opened);
+    }
+    if (looks.ok() && (*looks == Looks::step || *looks == Looks::iges)) {
+      const CadFormat format = *looks == Looks::step ? CadFormat::step_ap214 : CadFormat::iges;
+      take(open_cad(file, opened.name, cancel, progress, format), opened);
       return cancel.cancelled() ? cancelled_file() : std::move(opened);
     }
     if (!looks.ok() || *looks == Looks::foreign) {

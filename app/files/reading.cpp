@@ -1,11 +1,66 @@
 #include "app/files/reading.hpp"
 
+#include <algorithm>
+#include <memory>
+#include <utility>
+
+#include "core/base/assert.hpp"
+#include "core/modeling/operations/flip.hpp"
+#include "core/polyhedron/mesh_warnings.hpp"
+
 namespace hariko {
+
+namespace {
+
+/// Faces of the closed parts that are inside out.
+std::vector<FaceId> faces_inside_out(const Polyhedron& polyhedron) {
+  const HalfEdgeMesh& topology = polyhedron.topology();
+  const std::vector<char> wrong = inside_out_components(topology, polyhedron.positions());
+  std::vector<FaceId> out;
+  if (std::find(wrong.begin(), wrong.end(), 1) == wrong.end()) return out;
+  const std::vector<Index> component = topology.face_components();
+  for (Index f = 0; f < polyhedron.face_count(); ++f)
+    if (wrong[component[f]]) out.push_back(polyhedron.face_id(f));
+  return out;
+}
+
+}  // namespace
+
+JoinChoice join_choice(const Reading& reading) {
+  JoinChoice out = reading.join;
+  out.split_edges = reading.repair;
+  return out;
+}
+
+void turn_outwards(OpenedFile& opened) {
+  if (!opened.document || !opened.meshes) return;
+  std::size_t turned = 0;
+  for (auto& object : opened.document->objects) {
+    const PolyhedronSource* source = object->polyhedron();
+    const std::vector<FaceId> faces = source ? faces_inside_out(source->polyhedron) : std::vector<FaceId>();
+    if (faces.empty()) continue;
+    auto flipped = flip_faces(*source, faces);
+    HARIKO_ASSERT(flipped.ok(), "whole parts can be turned");
+    auto changed = std::make_shared<Object>(*object);
+    changed->source = std::move(flipped).value().source;
+    object = std::move(changed);
+    turned += faces.size();
+  }
+  if (turned > 0) opened.messages.push_back(turned_outwards_message(turned));
+}
+
+Message turned_outwards_message(std::size_t faces) {
+  return make_warning(
+      w_turned_outwards,
+      std::to_string(faces) + (faces == 1 ? " face of closed parts that were inside out was turned."
+                                          : " faces of closed parts that were inside out were turned."));
+}
 
 void add_counts(RepairReport& sum, const RepairReport& report) {
   sum.merged_vertices += report.merged_vertices;
   sum.dropped_faces += report.dropped_faces;
   sum.turned_faces += report.turned_faces;
+  sum.cut_faces += report.cut_faces;
   sum.split_vertices += report.split_vertices;
   sum.removed_vertices += report.removed_vertices;
 }
@@ -20,14 +75,16 @@ std::string repair_text(const RepairReport& report) {
   part("vertices merged: {0}", report.merged_vertices);
   part("faces turned: {0}", report.turned_faces);
   part("faces dropped: {0}", report.dropped_faces);
+  part("faces cut into several: {0}", report.cut_faces);
   part("vertices added where it was cut apart: {0}", report.split_vertices);
   part("unused vertices removed: {0}", report.removed_vertices);
   return out;
 }
 
 Message repaired_message(const RepairReport& report) {
-  return make_warning(w_repaired,
-                      "The mesh made no polyhedron and was repaired: " + repair_text(report) + ".");
+  const std::string changes = repair_text(report);
+  if (changes.empty()) return make_warning(w_repaired, "The mesh made no polyhedron and was repaired.");
+  return make_warning(w_repaired, "The mesh made no polyhedron and was repaired: " + changes + ".");
 }
 
 }  // namespace hariko

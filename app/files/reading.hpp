@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "app/files/open_file.hpp"
 #include "core/exchange/repair/clean_part.hpp"
 #include "core/polyhedron/repair.hpp"
 
@@ -11,14 +12,24 @@ namespace hariko {
 
 inline constexpr Code w_repaired{"W_REPAIRED"};
 inline constexpr Code w_can_be_opened{"W_CAN_BE_OPENED"};
+inline constexpr Code w_turned_outwards{"W_TURNED_OUTWARDS"};  ///< closed parts were inside out
 
 /// Choices for broken meshes.
 struct Reading {
   JoinChoice join = {};
-  bool repair = false;     ///< repairs meshes that make no polyhedron
+  bool repair = false;     ///< repairs meshes that make no polyhedron, or are inside out, and T-joints
   bool reference = false;  ///< keeps them as facets where they are not repaired
   friend bool operator==(const Reading&, const Reading&) = default;
 };
+
+/// Corners to join while a file is opened, and edges to split.
+JoinChoice join_choice(const Reading& reading);
+
+/// Turns closed parts of a mesh file's polyhedra outwards that are inside out; W_TURNED_OUTWARDS counts their
+/// faces.
+void turn_outwards(OpenedFile& opened);
+/// W_TURNED_OUTWARDS.
+Message turned_outwards_message(std::size_t faces);
 
 /// Adds the counts of another mesh of the same file.
 void add_counts(RepairReport& sum, const RepairReport& report);

@@ -45,6 +45,7 @@ std::string repair_text(const Language& tr, const RepairReport& report) {
   part(translatable("vertices merged: {0}"), report.merged_vertices);
   part(translatable("faces turned: {0}"), report.turned_faces);
   part(translatable("faces dropped: {0}"), report.dropped_faces);
+  part(translatable("faces cut into several: {0}"), report.cut_faces);
   part(translatable("vertices added where it was cut apart: {0}"), report.split_vertices);
   part(translatable("unused vertices removed: {0}"), report.removed_vertices);
   return text;

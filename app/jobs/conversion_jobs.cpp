@@ -71,8 +71,9 @@ void ConversionJobs::take(const Object& object, const Result<Made>& made) {
   auto added =
       add_object(document, free_name(document, now->name), Source(made->source), now->transform, display);
   if (!added) return editor_.notify(added.error());
-  if (!editor_.commit(set_visible(added->document, object.id, false), translatable("Convert to polyhedron")))
-    return;
+  const auto placed = set_copies(added->document, added->id, *now->copies);
+  if (!placed) return editor_.notify(placed.error());
+  if (!editor_.commit(set_visible(*placed, object.id, false), translatable("Convert to polyhedron"))) return;
   editor_.selection.clear_objects();
   editor_.selection.active = added->id;
   for (const Message& warning : made->warnings) editor_.notify(warning);

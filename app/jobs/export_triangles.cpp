@@ -62,13 +62,14 @@ Result<ExportCount> count_by_density(const Document& document, int density, cons
   for (const auto& object : document.objects) {
     if (!object->visible || !has_shape(*object)) continue;
     if (const MeshSource* facets = object->mesh()) {
-      count.triangles += triangles_of(*facets).triangles.size();
+      count.triangles += triangles_of(*facets).triangles.size() * place_count(*object);
       continue;
     }
     const auto built = object_surface(document, *object, cancel);
     if (!built.ok()) return built.error();
     const Surface& surface = built->surface;
-    count.triangles += surface.patch_count() * n * n * (surface.domain() == Domain::triangle ? 1 : 2);
+    const std::size_t own = surface.patch_count() * n * n * (surface.domain() == Domain::triangle ? 1 : 2);
+    count.triangles += own * place_count(*object);
   }
   return count;
 }

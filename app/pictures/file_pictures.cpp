@@ -15,13 +15,15 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Adds sections and path of a skin, in the colours of the window.
+/// Adds sections and path of a skin at all its places, in the colours of the window.
 void add_sections(const Object& object, Scene& scene) {
   const SkinView view = view_of(*object.skin()->skin, nullptr);
+  const std::vector<Similarity> places = places_of(object);
   const auto add = [&](const std::vector<Vector3>& curve, const char* colour, float width) {
-    for (std::size_t i = 0; i + 1 < curve.size(); ++i)
-      scene.lines.push_back({object.transform.apply(curve[i]), object.transform.apply(curve[i + 1]),
-                             color_from_hex(colour), width, false});
+    for (const Similarity& place : places)
+      for (std::size_t i = 0; i + 1 < curve.size(); ++i)
+        scene.lines.push_back(
+            {place.apply(curve[i]), place.apply(curve[i + 1]), color_from_hex(colour), width, false});
   };
   for (const auto& path : view.paths) add(path, "#4aa3df", 2);
   for (const SkinView::Section& section : view.sections) add(section.curve, "#3dbb6c", 3);
@@ -53,7 +55,11 @@ Scene file_scene(const fs::path& path, const CancelToken& cancel) {
   if (!opened.document) return scene;
   for (const auto& object : opened.document->objects) {
     if (!has_shape(*object) || !object->visible) continue;
-    scene.objects.push_back(part_of(*opened.document, object, cancel));
+    const SceneObject part = part_of(*opened.document, object, cancel);
+    for (const Similarity& place : places_of(*object)) {
+      scene.objects.push_back(part);
+      scene.objects.back().transform = matrix_of(place);
+    }
     if (object->skin()) add_sections(*object, scene);
   }
   return scene;

@@ -58,6 +58,7 @@ struct Scale {
       solid.size *= factor;
       solid.position *= factor;
       points(solid.points);
+      for (Pull& pull : solid.pulls) pull.place *= factor, pull.radius *= factor;
       if (solid.bridge && solid.bridge->ball_radius) *solid.bridge->ball_radius *= factor;
     }
     input.settings.clearance *= factor;
@@ -162,6 +163,10 @@ Result<Document> convert_unit(const Document& document, Unit unit) {
     Object object = *shared;
     object.transform.translation *= factor;
     if (const auto scaled = std::visit(Scale{factor}, object.source); !scaled) return scaled.error();
+    if (!object.copies->empty()) {
+      object.copies = mapped(*object.copies, factor * Matrix3::Identity());
+      if (const auto checked = check_copies(*object.copies); !checked) return checked.error();
+    }
     if (!object.transform.translation.allFinite())
       return make_error(e_nonfinite, "An object would lie infinitely far away.", "Choose another unit.");
     shared = std::make_shared<const Object>(std::move(object));

@@ -12,6 +12,7 @@
 #include "core/document/display.hpp"
 #include "core/document/group.hpp"
 #include "core/document/history/shared.hpp"
+#include "core/document/live_copies.hpp"
 #include "core/document/making.hpp"
 #include "core/document/paper_model.hpp"
 #include "core/document/saved_view.hpp"
@@ -49,6 +50,9 @@ struct Object {
   // the object is hidden or locked by a group round it alone, and by its own switch it would not be.
   bool hidden_by_group = false;
   bool locked_by_group = false;
+  /// Further places at which the same source is shown, measured and written; in the object's own space, so
+  /// that whatever moves, turns or scales the object takes them along.
+  Shared<LiveCopies> copies = {};
 
   static constexpr std::size_t max_name_length = 256;
 

@@ -63,6 +63,35 @@ struct WorldBox {
 }  // namespace
 
 Eigen::AlignedBox3d world_box(const Object& object) {
+  if (object.copies->empty()) return box_at_own_place(object);
+  return box_of_places(object, [&](const Similarity& place) {
+    WorldBox one{place};
+    std::visit(one, object.source);
+    return one.box;
+  });
+}
+
+Eigen::AlignedBox3d box_of_places(const Object& object,
+                                  const std::function<Eigen::AlignedBox3d(const Similarity&)>& box_at) {
+  Eigen::AlignedBox3d out;
+  const Similarity* measured = nullptr;
+  Eigen::AlignedBox3d box;
+  const std::vector<Similarity> places = places_of(object);
+  for (const Similarity& place : places) {
+    // Places that are not turned against the last measured one have the same box elsewhere.
+    const bool moved =
+        measured && measured->rotation.coeffs() == place.rotation.coeffs() && measured->scale == place.scale;
+    if (!moved) {
+      box = box_at(place);
+      measured = &place;
+    }
+    if (box.isEmpty()) return out;
+    out.extend(box.translated(place.translation - measured->translation));
+  }
+  return out;
+}
+
+Eigen::AlignedBox3d box_at_own_place(const Object& object) {
   WorldBox out{object.transform};
   std::visit(out, object.source);
   return out.box;

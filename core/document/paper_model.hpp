@@ -23,7 +23,9 @@ struct PaperVertex {
   /// Side of the element, as in `Provenance`, plus 65536 for its image in a live mirror; for a reference mesh
   /// the index of the vertex.
   std::uint32_t side = 0;
-  double u = 0, v = 0;  ///< parameters on the patch
+  /// Parameters on the patch; at the further places of live copies u is two larger from place to place, and
+  /// indices of reference meshes go on.
+  double u = 0, v = 0;
 
   friend bool operator==(const PaperVertex&, const PaperVertex&) = default;
   friend bool operator<(const PaperVertex& a, const PaperVertex& b);

@@ -30,4 +30,10 @@ struct Similarity {
   }
 };
 
+/// Similarity that maps x to outer(inner(x)).
+inline Similarity composed(const Similarity& outer, const Similarity& inner) {
+  return {(outer.rotation * inner.rotation).normalized(), outer.scale * inner.scale,
+          outer.apply(inner.translation)};
+}
+
 }  // namespace hariko

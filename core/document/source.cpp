@@ -122,4 +122,16 @@ Result<BezierSource> BezierSource::from_patches(std::vector<BezierPatch> patches
   return from_patches(origin, std::move(patches));
 }
 
+std::optional<Frames> stored_frames(const Source& source) {
+  if (const auto* polyhedron = std::get_if<PolyhedronSource>(&source)) return polyhedron->frames;
+  if (const auto* outline = std::get_if<OutlineSource>(&source)) return outline->settings.frames;
+  return std::nullopt;
+}
+
+std::optional<Frames> surface_frames(const Source& source) {
+  const auto* polyhedron = std::get_if<PolyhedronSource>(&source);
+  if (polyhedron && polyhedron->mode == Mode::paper) return std::nullopt;
+  return stored_frames(source);
+}
+
 }  // namespace hariko

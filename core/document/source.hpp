@@ -153,6 +153,12 @@ struct UnknownSource {
 using Source = std::variant<PolyhedronSource, MeshSource, PatchSource, BezierSource, SolidsSource, SkinSource,
                             OutlineSource, PictureSource, UnknownSource>;
 
+/// Frames that a source stores; nothing for kinds without them.
+std::optional<Frames> stored_frames(const Source& source);
+/// Frames that a source's surface is made in, where they can be chosen: nothing for kinds without them and
+/// for polyhedra of mode PAPER.
+std::optional<Frames> surface_frames(const Source& source);
+
 /// Name of a source's kind in files.
 inline std::string_view kind_of(const Source& source) {
   return std::visit([](const auto& one) -> std::string_view { return one.kind; }, source);

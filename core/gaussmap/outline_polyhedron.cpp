@@ -5,7 +5,7 @@
 
 namespace hariko {
 
-Result<OutlinePolyhedron> outline_polyhedron(const ControlPoints& points) {
+Result<OutlinePolyhedron> outline_polyhedron(const ControlPoints& points, Frames frames) {
   const Vector3 origin = origin_for(points.points);
   PolygonMesh mesh;
   for (const Vector3& point : points.points) mesh.positions.push_back(point - origin);
@@ -17,6 +17,12 @@ Result<OutlinePolyhedron> outline_polyhedron(const ControlPoints& points) {
     out.shaping.pin.set(VertexId{i}, {Pin::Kind::normal, {points.normals[i]}});
     // Without the tag a border vertex with two edges would be a corner.
     if (i < points.boundary_count) out.shaping.tag.set(VertexId{i}, VertexTag::smooth);
+  }
+  if (frames == Frames::metric) {
+    auto forms = rim_forms(out.polyhedron, out.shaping);
+    if (!forms) return forms.error();
+    out.shaping.form = *std::move(forms);
+    return out;
   }
   const auto rims = rim_tangents(out.polyhedron, out.shaping);
   if (!rims) return rims.error();

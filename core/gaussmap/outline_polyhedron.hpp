@@ -11,13 +11,15 @@ namespace hariko {
 
 struct OutlinePolyhedron {
   Polyhedron polyhedron;  ///< positions relative to origin; the ids are the numbers of the control points
-  /// Tangents are pinned, along the outline by `rim_tangents` and inside by `fitted_tangents`; the outline's
-  /// vertices are smooth.
+  /// For equal frames tangents are pinned, along the outline by `rim_tangents` and inside by
+  /// `fitted_tangents`. For metric frames normals are pinned, and kept forms give the outline its tangents
+  /// (`rim_forms`). The outline's vertices are smooth.
   Shaping shaping;
   Vector3 origin = Vector3::Zero();
 };
 
-/// Makes the polyhedron. Errors: those of `Polyhedron::build`, `rim_tangents` and `fitted_tangents`.
-Result<OutlinePolyhedron> outline_polyhedron(const ControlPoints& points);
+/// Makes the polyhedron, for a surface with these frames. Errors: those of `Polyhedron::build`, and for equal
+/// frames of `rim_tangents` and `fitted_tangents`, for metric ones of `rim_forms`.
+Result<OutlinePolyhedron> outline_polyhedron(const ControlPoints& points, Frames frames = Frames::equal);
 
 }  // namespace hariko

@@ -1,10 +1,13 @@
 #include "core/gaussmap/rim_tangents.hpp"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "core/base/assert.hpp"
 #include "core/gaussmap/outlines/loop_curve.hpp"
+#include "core/network/kept_form.hpp"
 #include "core/network/network_system.hpp"
 
 namespace hariko {
@@ -54,15 +57,28 @@ double arc_tangent_length(const Vector3& direction, const Vector3& chord) {
   return 2 * length / (3 * (1 + cosine));
 }
 
+/// Kept form of a vertex that offsets its basis vectors by `offset`, and changes nothing else.
+KeptForm form_with_offset(const Polyhedron& polyhedron, const VertexFrames& frames, Index v,
+                          std::span<const Vector3> offset) {
+  KeptForm out;
+  const std::vector<FanEnd> fan = fan_ends(polyhedron.topology(), v);
+  const std::vector<Matrix3> directions = edge_directions(polyhedron, v, fan);
+  for (std::size_t k = 0; k < fan.size(); ++k) {
+    if (directions[k].isZero(0)) continue;
+    KeptForm::Edge edge;
+    edge.to = polyhedron.vertex_id(fan[k].other);
+    edge.offset = directions[k].transpose() * image_of_unit(frames, fan[k].end, offset);
+    out.edges.push_back(edge);
+  }
+  std::sort(out.edges.begin(), out.edges.end(), [](const auto& a, const auto& b) { return a.to < b.to; });
+  return out;
+}
+
 }  // namespace
 
-Result<FlatMap<VertexId, Pin>> rim_tangents(const Polyhedron& polyhedron, const Shaping& shaping) {
-  const auto network = NetworkSystem::assemble(polyhedron, shaping);
-  if (!network) return network.error();
-  const auto basis = network->solve(polyhedron.positions(), {}).basis;
-  const HalfEdgeMesh& mesh = polyhedron.topology();
-  FlatMap<VertexId, Pin> out;
-  for (const std::vector<Index>& loop : border_loops(mesh)) {
+std::vector<RimTangent> rim_directions(const Polyhedron& polyhedron, const Shaping& shaping) {
+  std::vector<RimTangent> out;
+  for (const std::vector<Index>& loop : border_loops(polyhedron.topology())) {
     OutlineLoop outline;
     for (const Index v : loop) {
       outline.points.push_back(polyhedron.position(v));
@@ -77,19 +93,51 @@ Result<FlatMap<VertexId, Pin>> rim_tangents(const Polyhedron& polyhedron, const 
       const Vector3& normal = outline.normals[i];
       Vector3 direction = curve.at(i, 0).tangent;
       direction = in_plane((direction - direction.dot(normal) * normal).normalized(), axis, normal);
-      const double length =
-          (arc_tangent_length(direction, outline.points[(i + 1) % count] - outline.points[i]) +
-           arc_tangent_length(direction, outline.points[i] - outline.points[(i + count - 1) % count])) /
-          2;
-      // The first basis vector of a smooth border vertex is the tangent along it (kuriyama.md 2.1).
-      const Index first = network->frames().basis_begin[loop[i]],
-                  end = network->frames().basis_begin[loop[i] + 1];
-      HARIKO_ASSERT(network->frames().kind[loop[i]] == FrameKind::sharp_line, "rims are smooth");
-      Pin pin{Pin::Kind::tangents, std::vector<Vector3>(basis.begin() + first, basis.begin() + end)};
-      pin.vectors[0] = length * direction;
-      out.set(polyhedron.vertex_id(loop[i]), std::move(pin));
+      out.push_back(
+          {loop[i], direction,
+           arc_tangent_length(direction, outline.points[(i + 1) % count] - outline.points[i]),
+           arc_tangent_length(direction, outline.points[i] - outline.points[(i + count - 1) % count])});
     }
   }
+  return out;
+}
+
+Result<FlatMap<VertexId, Pin>> rim_tangents(const Polyhedron& polyhedron, const Shaping& shaping) {
+  const auto network = NetworkSystem::assemble(polyhedron, shaping);
+  if (!network) return network.error();
+  const auto basis = network->solve(polyhedron.positions(), {}).basis;
+  FlatMap<VertexId, Pin> out;
+  for (const RimTangent& rim : rim_directions(polyhedron, shaping)) {
+    // The first basis vector of a smooth border vertex is the tangent along it (kuriyama.md 2.1).
+    const Index first = network->frames().basis_begin[rim.vertex],
+                end = network->frames().basis_begin[rim.vertex + 1];
+    HARIKO_ASSERT(network->frames().kind[rim.vertex] == FrameKind::sharp_line, "rims are smooth");
+    Pin pin{Pin::Kind::tangents, std::vector<Vector3>(basis.begin() + first, basis.begin() + end)};
+    pin.vectors[0] = (rim.ahead + rim.behind) / 2 * rim.direction;
+    out.set(polyhedron.vertex_id(rim.vertex), std::move(pin));
+  }
+  return out;
+}
+
+Result<FlatMap<VertexId, KeptForm>> rim_forms(const Polyhedron& polyhedron, const Shaping& shaping) {
+  const auto network = NetworkSystem::assemble(polyhedron, shaping, {Frames::metric});
+  if (!network) return network.error();
+  const VertexFrames& frames = network->frames();
+  const std::vector<Vector3> basis = network->solve(polyhedron.positions(), {}).basis;
+  // Forms are independent of each other: each offsets the network's basis vectors of its own vertex.
+  std::vector<Vector3> offset(basis.size(), Vector3::Zero());
+  const std::vector<RimTangent> rims = rim_directions(polyhedron, shaping);
+  for (const RimTangent& rim : rims) {
+    HARIKO_ASSERT(frames.kind[rim.vertex] == FrameKind::sharp_line, "rims are smooth");
+    const std::vector<FanEnd> fan = fan_ends(polyhedron.topology(), rim.vertex);
+    const double ahead = rim.ahead / frames.length[fan.front().end],
+                 behind = rim.behind / frames.length[fan.back().end];
+    const Index along = frames.basis_begin[rim.vertex];
+    offset[along] = (ahead + behind) / 2 * rim.direction - basis[along];
+  }
+  FlatMap<VertexId, KeptForm> out;
+  for (const RimTangent& rim : rims)
+    out.set(polyhedron.vertex_id(rim.vertex), form_with_offset(polyhedron, frames, rim.vertex, offset));
   return out;
 }
 

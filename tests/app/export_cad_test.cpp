@@ -88,6 +88,47 @@ TEST(ExportCad, FarFromZeroIsWrittenRoundZeroOrRefused) {
   EXPECT_NEAR(metres->moved.x(), 1e6, 0.01);
 }
 
+TEST(ExportCad, AnObjectTooFarFromTheOthersIsNamed) {
+  if (why_no_cad_files()) return;
+  const test::TemporaryFolder folder;
+  Similarity far;
+  far.translation = {1e12, 0, 0};
+  const Document near = torus();
+  const Object& object = *near.objects.front();
+  const Document document = add_object(near, "Distant", object.source, far)->document;
+  CadChoices choices{tolerance};
+  for (const bool to_zero : {false, true}) {
+    choices.to_zero = to_zero;
+    const auto there = export_cad(document, folder.path() / "there.step", choices, "2026-11-22T12:00:00");
+    ASSERT_FALSE(there.ok());
+    EXPECT_EQ(there.error().code, e_file_digits) << to_string(there.error());
+    if (!to_zero) {
+      EXPECT_EQ(there.error().text.find("Distant: "), 0U) << there.error().text;
+    }
+    EXPECT_NE(there.error().remedy.find("nearer to the others"), std::string::npos);
+    EXPECT_FALSE(std::filesystem::exists(folder.path() / "there.step"));
+  }
+}
+
+TEST(ExportCad, AWallOfAClosedSurfaceIsOneHollowSolid) {
+  if (why_no_cad_files()) return;
+  const test::TemporaryFolder folder;
+  const Document cube = document_from_mesh(test::cube(), "Cube").value();
+  const Wall wall{0, 0.02, WallSide::both};
+  for (const char* name : {"wall.step", "wall.igs"})
+    for (const double place : {0.0, 1e4}) {
+      Similarity moved;
+      moved.translation = {place, 0, 0};
+      const auto written = export_cad(set_transform(cube, ObjectId{1}, moved).value(), folder.path() / name,
+                                      {tolerance}, "2026-11-22T12:00:00", {}, {}, wall);
+      ASSERT_TRUE(written.ok()) << to_string(written.error());
+      EXPECT_EQ(written->file.solids, 1U) << name;
+      EXPECT_EQ(written->file.voids, 1U) << name;
+      EXPECT_EQ(written->file.open_shells, 0U) << name;
+      EXPECT_TRUE(written->file.valid) << name;
+    }
+}
+
 TEST(ExportCad, LengthsAreThoseOfTheFile) {
   const CadTotals plain = count(torus(), {tolerance});
   CadChoices scaled{8 * tolerance};

@@ -5,8 +5,12 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <system_error>
 
+#include "core/base/files/file_io.hpp"
+#include "tests/support/places.hpp"
 #include "tests/support/temporary_folder.hpp"
+#include "ui/base/system_reasons.hpp"
 
 namespace hariko {
 namespace {
@@ -104,6 +108,29 @@ TEST(CodePoints, reads_utf8_and_survives_what_is_none) {
   EXPECT_EQ(code_points("\xff"), U"\xfffd");
   EXPECT_EQ(code_points("a\xe6\x97"), U"a\xfffd") << "cut off";
   EXPECT_EQ(code_points("\xe6\x97z"), U"\xfffdz");
+}
+
+TEST(Language, what_the_system_says_of_files_is_translated) {
+  const auto loaded = Language::load(test::source_folder() + "/assets/languages/ja.json");
+  ASSERT_TRUE(loaded.ok());
+  for (const SystemReason& reason : system_reasons) {
+    EXPECT_EQ(std::generic_category().message(reason.number), reason.text) << "as the system says it";
+    EXPECT_NE((*loaded)(reason.text), std::string(reason.text));
+  }
+  const test::TemporaryFolder folder;
+  const auto refused = read_file(folder.path() / "a.hariko");
+  ASSERT_FALSE(refused.ok());
+  const std::string text = loaded->text_of(refused.error());
+  EXPECT_NE(text.find("a.hariko"), std::string::npos) << text;
+  EXPECT_NE(text.find((*loaded)("No such file or directory")), std::string::npos) << text;
+  EXPECT_EQ(text.find("cannot"), std::string::npos) << text;
+  const auto nowhere = write_file_atomic(folder.path() / "none" / "a.hariko", "text");
+  ASSERT_FALSE(nowhere.ok());
+  EXPECT_NE(nowhere.error().text.find("its folder does not exist"), std::string::npos)
+      << nowhere.error().text;
+  const std::string missing = loaded->text_of(nowhere.error());
+  EXPECT_NE(missing.find("a.hariko"), std::string::npos) << missing;
+  EXPECT_EQ(missing.find("exist"), std::string::npos) << missing;
 }
 
 }  // namespace

@@ -2,11 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include "app/files/content_ending.hpp"
 #include "app/files/export_cad.hpp"
 #include "app/files/open_file.hpp"
+#include "core/base/files/file_io.hpp"
 #include "core/cad/kernel/read_cad_file.hpp"
 #include "core/document/edits/edit_objects.hpp"
 #include "core/document/object_box.hpp"
+#include "tests/support/places.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace hariko {
@@ -59,6 +62,47 @@ TEST(OpenCad, PartsKeepNamesColoursAndSizes) {
       EXPECT_NEAR(world_box(is).diagonal().norm(), size, 1e-9 * size);
     }
   }
+}
+
+TEST(OpenCad, FilesWithoutAnEndingAreKnownByTheirContent) {
+  const test::TemporaryFolder folder;
+  const auto gltf = folder.path() / "scene";
+  ASSERT_TRUE(write_file_atomic(gltf, R"({"asset": {"version": "2.0"}, "nodes": [{"mesh": 0}],
+    "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}],
+    "accessors": [{"bufferView": 0, "type": "VEC3", "count": 3, "componentType": 5126}],
+    "bufferViews": [{"buffer": 0, "byteLength": 36}],
+    "buffers": [{"byteLength": 36, "uri": "data:;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}]})")
+                  .ok());
+  const OpenedFile scene = open_file(gltf);
+  EXPECT_EQ(scene.error(), nullptr);
+  EXPECT_TRUE(scene.document);
+  EXPECT_EQ(ending_of_content("ISO-10303-21;\nHEADER;"), "step");
+  EXPECT_EQ(ending_of_content("{\"format\": \"hariko\"}"), "hariko");
+  EXPECT_EQ(ending_of_content("\xEF\xBB\xBF{\"asset\" : {}}"), "gltf");
+  EXPECT_EQ(ending_of_content("{\"name\": \"asset\"}"), "json");
+  EXPECT_EQ(ending_of_content("words"), std::nullopt);
+  if (why_no_cad_files()) GTEST_SKIP() << "built without OpenCASCADE";
+  for (const char* name : {"a.step", "a.igs"}) {
+    SCOPED_TRACE(name);
+    const auto file = folder.path() / name, bare = folder.path() / "bare";
+    ASSERT_TRUE(export_cad(two_objects(), file, {}, "2026-11-22T12:00:00").ok());
+    std::filesystem::rename(file, bare);
+    const OpenedFile opened = open_file(bare);
+    ASSERT_EQ(opened.error(), nullptr);
+    EXPECT_TRUE(opened.says_unit);
+    EXPECT_EQ(opened.document->objects.size(), 2U);
+  }
+}
+
+TEST(OpenCad, WhatTheFileHidesIsAHiddenObject) {
+  if (why_no_cad_files()) GTEST_SKIP() << "built without OpenCASCADE";
+  const auto file =
+      std::filesystem::path(test::source_folder()) / "tests" / "cad" / "fixtures" / "hidden_face.igs";
+  const OpenedFile opened = open_file(file);
+  ASSERT_TRUE(opened.document);
+  ASSERT_EQ(opened.document->objects.size(), 2U);
+  EXPECT_TRUE(opened.document->objects[0]->visible);
+  EXPECT_FALSE(opened.document->objects[1]->visible);
 }
 
 TEST(OpenCad, HalfAFileIsRefused) {

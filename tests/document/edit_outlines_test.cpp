@@ -6,6 +6,7 @@
 #include "core/document/edits/edit_elements.hpp"
 #include "core/document/edits/edit_objects.hpp"
 #include "core/document/format/read_outline.hpp"
+#include "core/gaussmap/outlines/border_outline.hpp"
 #include "core/gaussmap/outlines/edit_outline.hpp"
 #include "core/polyhedron/validation.hpp"
 #include "tests/support/places.hpp"
@@ -82,6 +83,36 @@ TEST(EditOutlines, SettingsHaveRanges) {
   refused([](OutlineSettings& bad) { bad.gap = -1; });
   refused([](OutlineSettings& bad) { bad.gap = HUGE_VAL; });
   refused([](OutlineSettings& bad) { bad.most_points = OutlineSettings::point_limit + 1; });
+}
+
+TEST(EditOutlines, FramesAreSetAsThoseOfPolyhedra) {
+  const Document document = with_cap();
+  const ObjectId id = document.objects[0]->id;
+  ASSERT_EQ(surface_frames(document.objects[0]->source), Frames::equal) << "what files without them mean";
+  const auto metric = set_frames(document, id, Frames::metric);
+  ASSERT_TRUE(metric.ok()) << to_string(metric.error());
+  EXPECT_EQ(metric->objects[0]->outline()->settings.frames, Frames::metric);
+  EXPECT_EQ(surface_frames(metric->objects[0]->source), Frames::metric);
+  EXPECT_EQ(metric->objects[0]->outline()->outline.get(), document.objects[0]->outline()->outline.get());
+  EXPECT_FALSE(*metric == document);
+  EXPECT_EQ(*set_frames(*metric, id, Frames::equal), document);
+  EXPECT_EQ(set_frames(*metric, id, Frames::metric)->objects[0], metric->objects[0]) << "the same object";
+
+  EXPECT_EQ(set_frames(set_locked(document, id, true).value(), id, Frames::metric).error().code, e_locked);
+  EXPECT_EQ(set_frames(document, ObjectId{99}, Frames::metric).error().code, e_unknown_object);
+  PolygonMesh mesh;
+  mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  mesh.add_face(std::array<Index, 3>{0, 1, 2});
+  const auto facets = add_object(document, "Facets", MeshSource::from_mesh(mesh).value());
+  EXPECT_EQ(set_frames(facets->document, facets->id, Frames::metric).error().code, e_wrong_kind);
+  EXPECT_FALSE(surface_frames(facets->document.find(facets->id)->source).has_value());
+}
+
+TEST(EditOutlines, NewOnesBeginByMeasure) {
+  const Outline outline = *with_cap().objects[0]->outline()->outline;
+  EXPECT_EQ(usual_settings(outline).frames, Frames::metric);
+  EXPECT_EQ(new_outline_settings().frames, Frames::metric);
+  EXPECT_EQ(border_fill(outline.loops[0]).settings.frames, Frames::metric);
 }
 
 }  // namespace

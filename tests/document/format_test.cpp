@@ -77,6 +77,11 @@ TEST(Format, EqualityNoticesEveryField) {
   changed([](Object& o) { o.transform.scale = 2; });
   changed([](Object& o) { o.transform.translation.z() = 1; });
   changed([](Object& o) { o.transform.rotation = Eigen::Quaterniond(0, 1, 0, 0); });
+  changed([](Object& o) { o.copies = LiveCopies{RowOfCopies{2, Vector3(1, 0, 0)}}; });
+  changed([](Object& o) { o.copies = LiveCopies{RowOfCopies{3, Vector3(1, 0, 0)}}; });
+  changed([](Object& o) { o.copies = LiveCopies{RingOfCopies{2, Vector3(1, 0, 0)}}; });
+  changed([](Object& o) { o.copies = LiveCopies{RingOfCopies{2, Vector3(1, 0, 0), Vector3(0, 1, 0), 90}}; });
+  changed([](Object& o) { o.copies = LiveCopies{ListOfCopies{{Similarity{}}}}; });
   changed([](Object& o) { o.display.surface = false; });
   changed([](Object& o) { o.display.polyhedron = false; });
   changed([](Object& o) { o.display.network = false; });
@@ -431,7 +436,39 @@ TEST(Format, FixtureOfVersion8ReadsForEver) {
   EXPECT_TRUE(solids.visible_itself() && !solids.locked_itself());
   ASSERT_EQ(read->saved_views->size(), 1U);
   EXPECT_EQ((*read->saved_views)[0].name, "Three quarters");
+  EXPECT_EQ(write_document(*read), as_written_now(text, 8));
+}
+
+TEST(Format, FixtureOfVersion9ReadsForEver) {
+  const std::string text = file_text("tests/document/fixtures/v9.hariko");
+  const Result<Document> read = read_document(text);
+  ASSERT_TRUE(read) << message_of(read);
+  const LiveCopies& copies = *read->objects[0]->copies;
+  ASSERT_EQ(copies.size(), 3U);
+  EXPECT_EQ(copies[0], CopyArray(RowOfCopies{3, Vector3(4, 0, 0.5)}));
+  EXPECT_EQ(copies[1], CopyArray(RingOfCopies{4, Vector3(0, 10, 0), Vector3(0, 0, 2), -180}));
+  Similarity turned, moved;
+  turned.rotation = Eigen::Quaterniond(0, 0, 0, 1);
+  moved.translation = {0, 0, 5};
+  EXPECT_EQ(copies[2], CopyArray(ListOfCopies{{turned, moved}}));
+  EXPECT_EQ(place_count(*read->objects[0]), 36U);
   EXPECT_EQ(write_document(*read), text);
+}
+
+/// An origin goes into the place of its object, to which live copies are relative.
+TEST(Format, LiveCopiesAreRelativeToAnOrigin) {
+  std::string text = file_text("tests/document/fixtures/v8_origins.hariko");
+  const std::size_t at = text.find("\"transform\"");
+  ASSERT_NE(at, std::string::npos);
+  text.insert(
+      at,
+      "\"copies\": [{\"kind\": \"ring\", \"count\": 2, \"point\": [3, 0, 0], \"direction\": [0, 0, 1], "
+      "\"angle\": 180}],\n      ");
+  const Result<Document> read = read_document(text);
+  ASSERT_TRUE(read) << message_of(read);
+  const Object& object = *read->objects[0];
+  EXPECT_EQ(std::get<RingOfCopies>((*object.copies)[0]).point, Vector3(3, 0, 0));
+  EXPECT_EQ(places_of(object)[1].translation, object.transform.apply(Vector3(6, 0, 0)));
 }
 
 /// Kinds that the fixtures of versions have not, with every member unlike its default.
@@ -448,6 +485,27 @@ TEST(Format, EveryMemberOfTheOtherKindsHasItsPlaceInTheText) {
   EXPECT_TRUE(read->objects[3]->skin()->kept->empty());
   EXPECT_EQ(read->paper->kept, (KeptMembers{{"later", "{\"x\":1}"}}));
   EXPECT_TRUE(read->kept->empty());
+}
+
+TEST(Format, OutlinesWithoutFramesHaveEqualOnes) {
+  const Result<Document> read = read_document(file_text("tests/document/fixtures/v7_kinds.hariko"));
+  ASSERT_TRUE(read) << message_of(read);
+  const ObjectId id = read->objects[2]->id;
+  ASSERT_TRUE(read->objects[2]->outline());
+  EXPECT_EQ(read->objects[2]->outline()->settings.frames, Frames::equal) << "nothing old changes by itself";
+  const std::string plain = write_document(*read);
+  EXPECT_EQ(plain.find("\"frames\""), std::string::npos);
+  const Result<Document> metric = set_frames(*read, id, Frames::metric);
+  ASSERT_TRUE(metric) << message_of(metric);
+  const std::string text = write_document(*metric);
+  EXPECT_NE(text.find("\"mode\": \"g2\",\n        \"frames\": \"metric\"\n"), std::string::npos) << text;
+  const Result<Document> again = read_document(text);
+  ASSERT_TRUE(again) << message_of(again);
+  EXPECT_EQ(*again, *metric);
+  EXPECT_EQ(write_document(set_frames(*again, id, Frames::equal).value()), plain);
+  std::string wrong = text;
+  wrong.replace(wrong.find("\"metric\""), 8, "\"golden\"");
+  EXPECT_EQ(std::string(read_document(wrong).error().code.name), "E_SCHEMA");
 }
 
 TEST(Format, LeansAndSidesOfKeptFormsAreSaved) {
@@ -493,6 +551,26 @@ TEST(Format, BridgesOfSolidsNameTwoSolids) {
                           "{\"between\": [0, -1]}", "{\"between\": [0, 1], \"ball_radius\": \"hull\"}"})
     EXPECT_EQ(with(bad).error().code, e_schema) << bad;
   EXPECT_FALSE(with("{\"between\": [0, 1], \"ball_radius\": -1}"));
+}
+
+TEST(Format, PullsOfSolidsComeBack) {
+  const std::string text = file_text("tests/document/fixtures/v5_solids.hariko");
+  const auto with = [&](const std::string& pulls) {
+    std::string changed = text;
+    const std::string after = "\"length\": 1.5";
+    return read_document(changed.replace(changed.find(after), after.size(), after + ", \"pulls\": " + pulls));
+  };
+  const auto read = with("[{\"place\": [0.5, 0, 1.25], \"radius\": 0.75}]");
+  ASSERT_TRUE(read) << message_of(read);
+  const std::vector<Pull> pulls{{{0.5, 0, 1.25}, 0.75}};
+  EXPECT_EQ(read->objects[0]->solids()->input->solids[2].pulls, pulls);
+  const auto again = read_document(write_document(*read));
+  ASSERT_TRUE(again) << message_of(again);
+  EXPECT_EQ(again->objects[0]->solids()->input->solids[2].pulls, pulls);
+  for (const char* bad :
+       {"3", "[3]", "[{}]", "[{\"place\": [0, 0], \"radius\": 1}]", "[{\"place\": [0, 0, 1]}]"})
+    EXPECT_EQ(with(bad).error().code, e_schema) << bad;
+  EXPECT_FALSE(with("[{\"place\": [0, 0, 1], \"radius\": -1}]"));
 }
 
 TEST(Format, KeptFormsOutOfAllProportionAreRefused) {
@@ -566,7 +644,7 @@ TEST(Format, OnlyEssentialsAreNeeded) {
 TEST(Format, EmptyDocument) {
   EXPECT_EQ(
       write_document({}),
-      "{\n  \"format\": \"hariko\",\n  \"version\": 8,\n  \"unit\": \"mm\",\n  \"next_object_id\": 1,\n  "
+      "{\n  \"format\": \"hariko\",\n  \"version\": 9,\n  \"unit\": \"mm\",\n  \"next_object_id\": 1,\n  "
       "\"objects\": []\n}\n");
 }
 

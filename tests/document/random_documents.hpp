@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/document/document.hpp"
+#include "core/document/edits/edit_copies.hpp"
 #include "core/document/edits/edit_groups.hpp"
 #include "tests/document/random_sources.hpp"
 #include "tests/support/random.hpp"
@@ -186,6 +187,20 @@ inline void any_lines(std::mt19937_64& rng, DisplaySettings& display) {
   }
 }
 
+/// An array or two.
+inline LiveCopies any_copies(std::mt19937_64& rng) {
+  LiveCopies out{RowOfCopies{uniform_int(rng, 2, 9), random_vector(rng, 9) + Vector3(20, 0, 0)}};
+  if (chance(rng, 0.5))
+    out.push_back(RingOfCopies{uniform_int(rng, 2, 9), random_vector(rng, 9),
+                               random_vector(rng) + Vector3(0, 0, 2), uniform(rng, 1, 360)});
+  if (chance(rng, 0.3)) {
+    ListOfCopies list{std::vector<Similarity>(static_cast<std::size_t>(uniform_int(rng, 1, 3)))};
+    for (Similarity& place : list.places) place.translation = random_vector(rng, 9);
+    out.push_back(std::move(list));
+  }
+  return out;
+}
+
 inline Object any_object(std::mt19937_64& rng, ObjectId id) {
   Similarity transform;
   transform.rotation =
@@ -204,7 +219,9 @@ inline Object any_object(std::mt19937_64& rng, ObjectId id) {
   any_lines(rng, display);
   std::string name = any_name(rng);
   const bool visible = chance(rng, 0.5), locked = chance(rng, 0.3);
-  return {id, std::move(name), visible, locked, transform, display, any_source(rng), any_kept(rng)};
+  Object object{id, std::move(name), visible, locked, transform, display, any_source(rng), any_kept(rng)};
+  if (chance(rng, 0.3) && can_have_copies(object)) object.copies = any_copies(rng);
+  return object;
 }
 
 /// A paper model; what it names need not exist.

@@ -179,6 +179,7 @@ inline OutlineSettings any_outline_settings(std::mt19937_64& rng) {
   settings.most_points = static_cast<Index>(uniform_int(rng, 0, 20000));
   if (chance(rng, 0.5)) settings.gap = log_uniform(rng, 1e-6, 1e6);
   settings.curvature_continuous = chance(rng, 0.5);
+  settings.frames = chance(rng, 0.5) ? Frames::metric : Frames::equal;
   return settings;
 }
 

@@ -13,6 +13,7 @@
 #include "core/envelope/ball/tightness.hpp"
 #include "core/envelope/envelope.hpp"
 #include "core/gaussmap/control_points.hpp"
+#include "core/gaussmap/outline_polyhedron.hpp"
 #include "core/gaussmap/outlines/outline_check.hpp"
 #include "core/modeling/surfacing/object_surfacer.hpp"
 #include "tests/support/places.hpp"
@@ -20,21 +21,24 @@
 namespace hariko {
 namespace {
 
-Document with_outline(const std::string& name, bool g2) {
+Document with_outline(const std::string& name, bool g2, Frames frames = Frames::metric) {
   const auto text = read_file(test::source_folder() + "/tests/golden/gaussmap/" + name + ".json", 1 << 20);
   OutlineSource source;
   source.outline = read_outline(*text).value();
   source.settings = usual_settings(*source.outline);
   source.settings.curvature_continuous = g2;
+  source.settings.frames = frames;
   return add_object({}, "Outline", std::move(source)).value().document;
 }
 
 TEST(ConvertObject, TheSurfaceStaysAsItIsToTheLastBit) {
   for (const auto* name : {"sphere_cap", "sphere_band", "three_holes", "catenoid"})
-    for (const bool g2 : {false, true}) {
+    for (const auto& [g2, frames] :
+         {std::pair{false, Frames::equal}, {false, Frames::metric}, {true, Frames::metric}}) {
       if (g2 && name != std::string("sphere_cap")) continue;  // one is enough of the slow ones
-      SCOPED_TRACE(name + std::string(g2 ? " g2" : " fair"));
-      const Document document = with_outline(name, g2);
+      SCOPED_TRACE(name + std::string(g2 ? " g2" : " fair") +
+                   (frames == Frames::metric ? " by measure" : ""));
+      const Document document = with_outline(name, g2, frames);
       const ObjectId id = document.objects[0]->id;
       const auto converted = convert_outline(document, id);
       ASSERT_TRUE(converted.ok()) << to_string(converted.error());
@@ -42,6 +46,7 @@ TEST(ConvertObject, TheSurfaceStaysAsItIsToTheLastBit) {
       ASSERT_TRUE(polyhedron);
       EXPECT_EQ(converted->objects[0]->name, "Outline");
       EXPECT_EQ(polyhedron->mode, g2 ? Mode::g2 : Mode::fair);
+      EXPECT_EQ(polyhedron->frames, frames);
       const auto before = object_surface(document, *document.objects[0]);
       const auto after = object_surface(*converted, *converted->objects[0]);
       ASSERT_TRUE(before.ok() && after.ok());
@@ -61,6 +66,24 @@ TEST(ConvertObject, TheSurfaceStaysAsItIsToTheLastBit) {
         EXPECT_LE((polyhedron->origin + polyhedron->polyhedron.position(v) - points->points[v]).norm(),
                   1e-12 * outline.size());
     }
+}
+
+TEST(ConvertObject, AnOutlineWithoutFramesHasTheSurfaceOfEqualOnes) {
+  const Document document = with_outline("ellipsoid_cap", false, Frames::equal);
+  const OutlineSource& outline = *document.objects[0]->outline();
+  const auto points = control_points(*outline.outline, gauss_options(outline.settings));
+  ASSERT_TRUE(points.ok());
+  const auto polyhedron = outline_polyhedron(*points);
+  ASSERT_TRUE(polyhedron.ok());
+  EXPECT_TRUE(polyhedron->shaping.form.empty());
+  const auto before = PolyhedronSurfacer().rebuild(
+      {polyhedron->polyhedron, polyhedron->shaping, Mode::fair, polyhedron->origin});
+  const auto now = object_surface(document, *document.objects[0]);
+  ASSERT_TRUE(before.ok() && now.ok());
+  ASSERT_EQ(before->surface.patch_count(), now->surface.patch_count());
+  for (Index patch = 0; patch < now->surface.patch_count(); ++patch)
+    ASSERT_EQ(before->surface.patches().evaluate(patch, {0.2, 0.3}, Order::first).position,
+              now->surface.patches().evaluate(patch, {0.2, 0.3}, Order::first).position);
 }
 
 Document with_solids(const std::string& name, EnvelopeMethod method) {

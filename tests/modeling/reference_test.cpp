@@ -295,6 +295,9 @@ TEST(FitToReference, AScanOfAPartSaysNothingBeyondItsBorder) {
   const CancelToken cancelled = CancelToken::make();
   cancelled.cancel();
   expect_error(fit_to_reference(cage, all_vertices(cage), reference, {}, cancelled), e_cancelled);
+  const Progress progress = Progress::make();
+  ASSERT_TRUE(fit_to_reference(cage, all_vertices(cage), reference, {2}, {}, progress).ok());
+  EXPECT_GT(progress.fraction(), 0.3);
 }
 
 TEST(FitToReference, NoiseOfAScanMovesTheVerticesLittleFartherThanItself) {

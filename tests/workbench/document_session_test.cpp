@@ -3,8 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
 
+#include "core/document/words.hpp"
+#include "tests/support/places.hpp"
 #include "tests/workbench/session_rig.hpp"
 
 namespace hariko {
@@ -158,6 +161,24 @@ TEST_F(OpenFile, AnotherDocumentGivesTheLockBack) {
   session_->editor().open({}, {});
   session_->settle();
   EXPECT_EQ(FileLock::try_lock(lock_path_of(file_), 0).outcome, FileLock::Attempt::Outcome::acquired);
+}
+
+TEST_F(OpenFile, OutlinesByEqualAnglesAreToldWhenTheirDocumentOpens) {
+  Document document = load_document(test::source_folder() + "/assets/samples/saddle.hariko").value();
+  for (const Frames frames : {Frames::metric, Frames::equal, Frames::metric}) {
+    SCOPED_TRACE(std::string(enum_word(frames)));
+    document = set_frames(document, document.objects[0]->id, frames).value();
+    const auto file = folder_.path() / (std::string(enum_word(frames)) + ".hariko");
+    ASSERT_TRUE(save_document(document, file).ok());
+    (*session_)->open(file);
+    session_->settle();
+    ASSERT_EQ(session_->editor().path, file);
+    const auto& notices = session_->editor().notices();
+    const bool told = std::any_of(notices.begin(), notices.end(), [](const Notice& notice) {
+      return notice.text.find("Surfaces by measure") != std::string::npos;
+    });
+    EXPECT_EQ(told, frames == Frames::equal);
+  }
 }
 
 /// Work of a session that was killed: what `session` holds is written, and the session is gone.

@@ -106,6 +106,27 @@ TEST_F(EnvironmentByHand, ADragOfTheSliderTurnsIt) {
   EXPECT_FALSE(editor.history.dirty());
 }
 
+TEST_F(EnvironmentByHand, NumbersStandBesideTheirSlidersAndCanBeTyped) {
+  run("analyse.environment");
+  const auto& marks = bench.workbench().marks().all();
+  const Marks::Rect row = marks.at("combo.environment");
+  for (const char* id : {"slider.environment_turn", "slider.environment_exposure"}) {
+    const Marks::Rect track = marks.at(id);
+    constexpr double least_number = 24;  // pixels
+    EXPECT_LT(track.x + track.width, row.x + row.width - least_number) << id;
+    EXPECT_GT(track.width, row.width / 2.0) << id;
+  }
+  const Marks::Rect turn = marks.at("slider.environment_turn");
+  bench.move(turn.x + turn.width / 2.0, turn.y + turn.height / 2.0);
+  bench.hold(false, true, false);
+  bench.press();
+  bench.release();
+  bench.hold(false, false, false);
+  bench.type("90");
+  bench.tap("Enter");
+  EXPECT_NEAR(editor.settings.environment.turn, 90, 1e-9);
+}
+
 TEST_F(EnvironmentByHand, TwentyFourStepsAreAWholeTurn) {
   run("analyse.environment");
   const auto before = picture();

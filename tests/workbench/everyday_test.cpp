@@ -290,6 +290,32 @@ TEST_F(WithOutline, TheCurvesOfAFilledOutlineDoNotDarkenItsForm) {
   EXPECT_LT(darker, changed / 20) << "of " << changed;
 }
 
+/// The command for all surfaces and the row of the properties switch outlines as they do polyhedra.
+TEST_F(WithOutline, TheSurfaceFollowsLengthsOrEqualAngles) {
+  bench_.wait_for_surfaces();
+  const auto point = [&] {
+    bench_.wait_for_surfaces();
+    const Surface& surface = editor().view_of(editor().selection.active)->surface;
+    return surface.patches().evaluate(surface.patch_count() / 2, {0.3, 0.3}, Order::first).position;
+  };
+  const auto frames_now = [&] { return surface_frames(editor().active_object()->source); };
+  ASSERT_EQ(frames_now(), Frames::metric) << "the sample";
+  const Vector3 metric = point();
+  run("shape.by_measure");
+  EXPECT_EQ(frames_now(), Frames::equal);
+  const Vector3 equal = point();
+  EXPECT_NE(equal, metric);
+  run("property.frames");
+  ASSERT_TRUE(marks().contains("check.frames"));
+  bench_.click("check.frames");
+  frames();
+  EXPECT_EQ(frames_now(), Frames::metric);
+  EXPECT_EQ(point(), metric);
+  editor().undo();
+  EXPECT_EQ(frames_now(), Frames::equal);
+  EXPECT_EQ(point(), equal);
+}
+
 /// Violet diamonds of pins lay over all vertices, and dark curves between them.
 TEST_F(WithOutline, AConvertedOneShowsItsForm) {
   bench_.wait_for_surfaces();

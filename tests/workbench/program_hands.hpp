@@ -11,6 +11,7 @@
 #include "app/document_session.hpp"
 #include "app/engines/paper_engine.hpp"
 #include "app/jobs/conversion_jobs.hpp"
+#include "app/jobs/edit_jobs.hpp"
 #include "app/jobs/exchange_jobs.hpp"
 #include "render/shown_edges.hpp"
 #include "tests/support/temporary_folder.hpp"
@@ -25,6 +26,7 @@ class ProgramHands : private NoServices {
   /// In `folder` lie settings, recovery copies and the files of the user. CAD files are not written.
   explicit ProgramHands(Begin begin = Begin::empty, Folder folder = std::make_shared<TemporaryFolder>())
       : user_(std::move(folder)), bench_(Document(), {1440, 900}, this) {
+    editor().on_long_edit = [this](const LongEdit& edit) { long_edits_.make(edit); };
     if (begin == Begin::start_page) bench_.workbench().close_document();
     frames(2);
   }
@@ -113,6 +115,8 @@ class ProgramHands : private NoServices {
   void frames(int count) {
     for (int i = 0; i < count; ++i) {
       long_.publish();
+      edits_.publish();
+      if (!ImGui::IsAnyMouseDown()) long_edits_.settle();
       session_.publish();
       paper_.publish();
       bench_.frame();
@@ -125,7 +129,7 @@ class ProgramHands : private NoServices {
     do {
       frames(1);
       std::this_thread::yield();
-    } while (!long_.idle() || !session_.idle() || !paper_.idle() || !editor().jobs.empty());
+    } while (!long_.idle() || !edits_.idle() || !session_.idle() || !paper_.idle() || !editor().jobs.empty());
     bench_.wait_for_surfaces();
     constexpr int flight = 8;
     frames(flight);
@@ -190,7 +194,8 @@ class ProgramHands : private NoServices {
   std::filesystem::path exported_;
   int actions_ = 0;
   HeadlessWorkbench bench_;
-  BackgroundWork long_{bench_.editor(), [] {}};
+  BackgroundWork long_{bench_.editor(), [] {}}, edits_{bench_.editor(), [] {}};
+  EditJobs long_edits_{bench_.editor(), edits_};
   PaperEngine paper_{bench_.editor(), long_, [] {}};
   ConversionJobs conversions_{bench_.editor(), long_, [](const char*, const auto&) {}};
   ExchangeJobs exchange_{bench_.editor(), bench_.workbench(), long_, [](const char*, const auto&) {}};

@@ -8,7 +8,7 @@
 #include "core/modeling/surfacing/surface_input.hpp"
 #include "core/surface/surface_triangles.hpp"
 #include "tests/support/random_polyhedra.hpp"
-#include "tests/workbench/headless_workbench.hpp"
+#include "tests/workbench/program_hands.hpp"
 
 namespace hariko {
 namespace {
@@ -164,6 +164,90 @@ TEST_F(ReferenceHands, WhatCannotBeDoneSaysWhy) {
   open(locked);
   run("mesh.fit_reference");
   EXPECT_EQ(editor().document(), locked);
+}
+
+/// With a worker, as in the window.
+class ReferenceWork : public ::testing::Test, protected test::ProgramHands {
+ protected:
+  ReferenceWork() {
+    editor().open(cage_and_scans({1.1}), {});
+    editor().selection.active = cage_id();
+    editor().mode = ElementMode::object;
+    frames(2);
+  }
+  ObjectId cage_id() { return editor().document().objects[0]->id; }
+  ObjectId scan_id() { return editor().document().objects[1]->id; }
+  bool run(std::string_view id) { return bench().workbench().commands().run(id).ran; }
+  void move_object(ObjectId id) {
+    Similarity placed = editor().document().find(id)->transform;
+    placed.translation.x() += 0.1;
+    ASSERT_TRUE(editor().commit(set_transform(editor().history.current(), id, placed), "Move"));
+  }
+};
+
+TEST_F(ReferenceWork, AFitIsWorkThatEndsInOneStepAndIsAdjustedLikewise) {
+  const Document before = editor().document();
+  ASSERT_TRUE(run("mesh.fit_reference"));
+  EXPECT_EQ(editor().document(), before) << "the window waited";
+  ASSERT_EQ(editor().jobs.size(), 1U);
+  EXPECT_EQ(editor().jobs[0]->text, "Fitting Cage");
+  EXPECT_TRUE(editor().jobs[0]->can_be_cancelled);
+  wait();
+  EXPECT_EQ(editor().history.position(), 1U);
+  EXPECT_EQ(editor().history.undo_label(), "Fit to the reference");
+  EXPECT_NE(notice().find("off the reference"), std::string::npos) << notice();
+  const Document fitted = editor().document();
+  EXPECT_TRUE(editor().last_operation.adjust(editor(), 0, 1));
+  EXPECT_EQ(editor().document(), fitted) << "the window waited";
+  wait();
+  EXPECT_FALSE(editor().document() == fitted);
+  EXPECT_EQ(editor().history.position(), 1U);
+  // The first fit is known.
+  EXPECT_TRUE(editor().last_operation.adjust(editor(), 0, 8));
+  EXPECT_EQ(editor().document(), fitted);
+  press({"Ctrl+Z"});
+  EXPECT_EQ(editor().document(), before);
+}
+
+TEST_F(ReferenceWork, AProjectionIsWorkToo) {
+  editor().mode = ElementMode::vertex;
+  editor().selection.select({cage_id(), element_of(VertexId{0})}, Selection::How::add);
+  const Document before = editor().document();
+  ASSERT_TRUE(run("mesh.project_reference"));
+  EXPECT_EQ(editor().document(), before);
+  wait();
+  EXPECT_EQ(editor().history.undo_label(), "Project onto the reference");
+  EXPECT_FALSE(editor().document() == before);
+  EXPECT_TRUE(editor().selection.of(cage_id()).vertices.contains(VertexId{0}));
+}
+
+TEST_F(ReferenceWork, WhatWasChangedMeanwhileIsNotFitted) {
+  for (const bool scan : {false, true}) {
+    ASSERT_TRUE(run("mesh.fit_reference"));
+    move_object(scan ? scan_id() : cage_id());
+    const Document moved = editor().document();
+    wait();
+    EXPECT_EQ(editor().document(), moved) << scan;
+    EXPECT_NE(notice().find("changed meanwhile"), std::string::npos) << notice();
+    editor().notices().clear();
+  }
+}
+
+TEST_F(ReferenceWork, ACancelledFitChangesNothing) {
+  const Document before = editor().document();
+  ASSERT_TRUE(run("mesh.fit_reference"));
+  ASSERT_TRUE(run("file.cancel_job"));
+  wait();
+  EXPECT_EQ(editor().document(), before);
+  EXPECT_EQ(editor().history.position(), 0U);
+  EXPECT_TRUE(editor().notices().empty()) << notice();
+}
+
+TEST_F(ReferenceWork, WhatMayNotMoveIsRefusedAtOnce) {
+  ASSERT_TRUE(editor().commit(set_locked(editor().history.current(), cage_id(), true), "Lock"));
+  run("mesh.fit_reference");
+  EXPECT_TRUE(editor().jobs.empty());
+  EXPECT_FALSE(editor().notices().empty());
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/document/edits/edits.hpp"
+#include "tests/support/places.hpp"
 #include "tests/support/random_polyhedra.hpp"
 #include "tests/workbench/headless_workbench.hpp"
 #include "ui/editor/saved_views.hpp"
@@ -136,6 +137,16 @@ TEST_F(ViewHands, KeysGoFromOneSavedViewToTheNext) {
   frames(8);
   EXPECT_TRUE(looks_as(camera(), views()[2]));
   EXPECT_TRUE(camera().orthographic) << "a view from a side is saved as it was";
+}
+
+TEST_F(ViewHands, ANewViewIsNamedInTheLanguageOfTheInterface) {
+  bench.key("Ctrl+Alt+V");
+  editor.language = Language::load(test::source_folder() + "/assets/languages/ja.json").value();
+  for (int i = 0; i < 2; ++i) bench.key("Ctrl+Alt+V");
+  ASSERT_EQ(views().size(), 3U);
+  EXPECT_EQ(views()[0].name, "View 1") << "a name is the designer's once it is given";
+  EXPECT_EQ(views()[1].name, "\u30d3\u30e5\u30fc 1");
+  EXPECT_EQ(views()[2].name, "\u30d3\u30e5\u30fc 2");
 }
 
 TEST_F(ViewHands, AViewThatIsGoneAfterUndoIsNotChosen) {

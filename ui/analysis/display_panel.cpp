@@ -13,6 +13,7 @@
 #include "ui/analysis/making_rows.hpp"
 #include "ui/analysis/section_curve_rows.hpp"
 #include "ui/widgets/enum_labels.hpp"
+#include "ui/widgets/number_slider.hpp"
 #include "ui/widgets/tips.hpp"
 #include "ui/widgets/value_fields.hpp"
 
@@ -133,8 +134,7 @@ void direction_row(PanelContext& context, ZebraSettings& zebra) {
 void stripe_rows(PanelContext& context) {
   ZebraSettings& zebra = context.editor.view.zebra;
   row_label(context, context.tr("Stripes"), context.tr("Number of dark stripes"));
-  ImGui::SetNextItemWidth(-1);
-  ImGui::SliderInt("##stripes", &zebra.stripes, 2, 64, "%d", ImGuiSliderFlags_AlwaysClamp);
+  number_slider("##stripes", {2, 64, "%d"}, zebra.stripes);
   context.marks.item("slider.stripes");
   if (const auto chosen = choose(context, "lock", "Locked to", "What the stripes stand still with",
                                  std::optional(zebra.lock)))
@@ -332,12 +332,10 @@ void section_rows(PanelContext& context) {
     if (!box.isEmpty()) section.offset = box.center()[section.axis];
   }
   row_label(context, context.tr("Offset"), context.tr("Of the plane along its axis"));
-  ImGui::SetNextItemWidth(-1);
   const double low = box.isEmpty() ? -1 : box.min()[section.axis],
                high = box.isEmpty() ? 1 : box.max()[section.axis];
   const std::string format = std::string("%.4g ") + std::string(to_string(context.editor.document().unit));
-  ImGui::SliderScalar("##offset", ImGuiDataType_Double, &section.offset, &low, &high, format.c_str(),
-                      ImGuiSliderFlags_NoRoundToFormat);
+  number_slider("##offset", {low, high, format.c_str(), ImGuiSliderFlags_NoRoundToFormat}, section.offset);
   if (!std::isfinite(section.offset)) section.offset = 0;
   context.marks.item("slider.section");
 }
@@ -346,10 +344,7 @@ void x_ray_row(PanelContext& context) {
   ViewSettings& view = context.editor.view;
   if (!view.x_ray) return;
   row_label(context, context.tr("X-ray"), context.tr("Strength of what lies behind the surface"));
-  ImGui::SetNextItemWidth(-1);
-  constexpr double low = 0.05, high = 1;
-  ImGui::SliderScalar("##x_ray", ImGuiDataType_Double, &view.x_ray_strength, &low, &high, "%.2f",
-                      ImGuiSliderFlags_AlwaysClamp);
+  number_slider("##x_ray", {0.05, 1, "%.2f"}, view.x_ray_strength);
   context.marks.item("slider.x_ray");
 }
 

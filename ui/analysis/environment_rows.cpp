@@ -7,6 +7,7 @@
 #include "core/base/text/sanitized_utf8.hpp"
 #include "ui/widgets/command_services.hpp"
 #include "ui/widgets/enum_labels.hpp"
+#include "ui/widgets/number_slider.hpp"
 #include "ui/widgets/tips.hpp"
 #include "ui/widgets/value_fields.hpp"
 
@@ -27,9 +28,7 @@ void environment_file_row(PanelContext& context, const EnvironmentSettings& envi
 /// A slider of the settings of the environment.
 void environment_slider(PanelContext& context, const std::string& id, double& value, double low, double high,
                         const char* format) {
-  ImGui::SetNextItemWidth(-1);
-  ImGui::SliderScalar(("##" + id).c_str(), ImGuiDataType_Double, &value, &low, &high, format,
-                      ImGuiSliderFlags_AlwaysClamp);
+  number_slider(("##" + id).c_str(), {low, high, format}, value);
   if (!std::isfinite(value)) value = 0;
   context.marks.item("slider." + id);
 }

@@ -12,6 +12,7 @@
 #include "ui/base/text_lines.hpp"
 #include "ui/view/legend.hpp"
 #include "ui/widgets/enum_labels.hpp"
+#include "ui/widgets/number_slider.hpp"
 #include "ui/widgets/panels.hpp"
 #include "ui/widgets/tips.hpp"
 #include "ui/widgets/value_fields.hpp"
@@ -50,7 +51,7 @@ constexpr std::array place_names{translatable("Over the surface"), translatable(
 
 /// Lengths start in proportion to the object.
 void adapt(Meshing& meshing, const Object& object) {
-  const Box3 box = world_box(object);
+  const Box3 box = box_at_own_place(object);
   const double size = box.isEmpty() ? 1 : box.diagonal().norm();
   if (meshing.size > 0 && size < 8 * meshing.size && meshing.size < 8 * size) return;
   meshing.size = size;
@@ -72,16 +73,12 @@ void criterion_row(PanelContext& context, Meshing& meshing, std::size_t index) {
   const double low = row.low * factor, high = row.high * factor;
   const std::string format =
       row.length ? "%.3g " + std::string(to_string(context.editor.document().unit)) : std::string(row.format);
-  ImGui::SetNextItemWidth(-1);
   {
     const Disabled disabled(!own.on);
-    // A line instead of a knob: the number under it can be read.
-    ImGui::PushStyleVar(ImGuiStyleVar_GrabMinSize, context.metrics.px(3));
-    ImGui::PushStyleColor(ImGuiCol_SliderGrab, palette().accent);
-    ImGui::SliderScalar("##value", ImGuiDataType_Double, &own.value, &low, &high, format.c_str(),
-                        ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_NoRoundToFormat);
-    ImGui::PopStyleColor();
-    ImGui::PopStyleVar();
+    number_slider(
+        "##value",
+        {low, high, format.c_str(), ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_NoRoundToFormat},
+        own.value);
     context.marks.item(std::string("meshing.") + row.id);
   }
   if (!std::isfinite(own.value)) own.value = low;

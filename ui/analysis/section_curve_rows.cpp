@@ -11,6 +11,7 @@
 #include "ui/analysis/section_curve_edits.hpp"
 #include "ui/base/text_lines.hpp"
 #include "ui/widgets/choice.hpp"
+#include "ui/widgets/number_slider.hpp"
 #include "ui/widgets/value_fields.hpp"
 
 namespace hariko {
@@ -55,9 +56,8 @@ void plane_rows(PanelContext& context, SectionCurves& curves) {
   SectionPlanes& planes = curves.planes;
   across_row(context, curves);
   row_label(context, context.tr("Planes"), context.tr("Number of section planes"));
-  ImGui::SetNextItemWidth(-1);
   int count = planes.count;
-  if (ImGui::SliderInt("##section_count", &count, 1, 50, "%d", ImGuiSliderFlags_None))
+  if (number_slider("##section_count", {1, 50, "%d", ImGuiSliderFlags_None}, count))
     planes.count = std::clamp(count, 1, SectionPlanes::most);
   context.marks.item("slider.section_count");
   constexpr double share = 0.01;  // share of the spacing for each pixel of a drag
@@ -77,11 +77,11 @@ void comb_row(PanelContext& context, SectionCurves& curves) {
   point_out(context, "section_combs");
   if (!curves.combs.shown) return;
   ImGui::SameLine();
-  ImGui::SetNextItemWidth(-1);
-  constexpr double low = SectionCombs::least_scale, high = SectionCombs::most_scale;
-  ImGui::SliderScalar(
-      "##section_scale", ImGuiDataType_Double, &curves.combs.scale, &low, &high, "%.2f\u00d7",
-      ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_NoRoundToFormat);
+  number_slider(
+      "##section_scale",
+      {SectionCombs::least_scale, SectionCombs::most_scale, "%.2f\u00d7",
+       ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_NoRoundToFormat},
+      curves.combs.scale);
   if (!std::isfinite(curves.combs.scale)) curves.combs.scale = 1;
   context.marks.item("slider.section_scale");
 }

@@ -81,7 +81,7 @@ void Editor::end_recording() {
 
 std::string Editor::title() const {
   if (path) return path->filename().string();
-  return suggested_name.empty() ? std::string("Untitled") : suggested_name;
+  return suggested_name.empty() ? std::string(language("Untitled")) : suggested_name;
 }
 
 bool Editor::commit(const Result<Document>& result, const std::string& label) {
@@ -137,6 +137,11 @@ bool Editor::commit_preview(const std::string& label) {
   const ChosenElements chosen{selection, mode};
   if (history.in_gesture()) history.preview(without_lost_dimensions(history.shown()));
   return stepped(left, chosen, history.commit_preview(label));
+}
+
+void Editor::make(const LongEdit& edit) const {
+  if (on_long_edit) return on_long_edit(edit);
+  edit.work({}, {})();
 }
 
 void Editor::undo() {
@@ -278,12 +283,12 @@ Box3 Editor::visible_box() const {
     box.extend(world_box(*object));
     const SurfaceView* shown = view_of(object->id);
     if (!shown || !shown->mesh) continue;
-    const Matrix4 matrix = matrix_of(object->transform);
-    for (int corner = 0; corner < 8; ++corner) {
-      const Vector3 local =
-          shown->mesh->origin() + shown->mesh->box().corner(static_cast<Box3::CornerType>(corner));
-      box.extend(Vector3((matrix * local.homogeneous()).head<3>()));
-    }
+    for (const Similarity& place : places_of(*object))
+      for (int corner = 0; corner < 8; ++corner) {
+        const Vector3 local =
+            shown->mesh->origin() + shown->mesh->box().corner(static_cast<Box3::CornerType>(corner));
+        box.extend(place.apply(local));
+      }
   }
   if (!box.isEmpty() && (!views || views->empty())) {
     // Surfaces that are still to come bulge out of their polyhedra by about this much.

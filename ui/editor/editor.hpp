@@ -31,6 +31,7 @@
 #include "ui/editor/gauss_view.hpp"
 #include "ui/editor/guide.hpp"
 #include "ui/editor/last_operation.hpp"
+#include "ui/editor/long_edit.hpp"
 #include "ui/editor/meshing.hpp"
 #include "ui/editor/paper_state.hpp"
 #include "ui/editor/section_curves.hpp"
@@ -173,7 +174,7 @@ class Editor {
   void begin_recording();
   /// Puts the steps from before the recording back.
   void end_recording();
-  /// The name to show: the file's, or "Untitled".
+  /// The name to show: the file's, or "Untitled" in the language of the interface.
   std::string title() const;
 
   /// Makes one step, or says why not. True when the document changed.
@@ -182,6 +183,10 @@ class Editor {
   bool preview(const Result<Document>& result);
   bool commit_preview(const std::string& label);
   void cancel_preview() { history.cancel_preview(); }
+  /// Makes an edit that takes long: by `on_long_edit` where that is set, else at once.
+  void make(const LongEdit& edit) const;
+  /// Has an edit made beside the event loop: by the application of a window. Empty in scripts.
+  std::function<void(const LongEdit&)> on_long_edit;
   /// With the selection that the state was left with.
   void undo();
   void redo();

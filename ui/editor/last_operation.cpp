@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <utility>
 
 #include "ui/editor/editor.hpp"
@@ -10,7 +11,34 @@
 
 namespace hariko {
 
+namespace {
+
+/// Says that a step was not made, as what was prepared for it fits no longer.
+void say_changed_meanwhile(Editor& editor, const std::string& label) {
+  editor.notify(
+      Notice::Kind::warning,
+      fill(editor.language(
+               "\u201c{0}\u201d was not applied, as its objects were changed meanwhile. Run it again."),
+           {editor.language.phrase(label)}));
+}
+
+LongEdit followed_by(LongEdit first, std::function<void()> next) {
+  first.work = [work = std::move(first.work), next = std::move(next)](const CancelToken& cancel,
+                                                                      const Progress& progress) {
+    return LongEdit::Then([keep = work(cancel, progress), next] {
+      keep();
+      next();
+    });
+  };
+  return first;
+}
+
+}  // namespace
+
 bool LastOperation::run(Editor& editor, OperationStep step) {
+  if (step.prepare)
+    if (const auto first = step.prepare(editor.history.current(), step.numbers))
+      return run_prepared(editor, *first, std::move(step));
   LastOperation next;
   next.step_ = next.again_ = std::move(step);
   next.before_ = editor.history.current();
@@ -19,6 +47,36 @@ bool LastOperation::run(Editor& editor, OperationStep step) {
   next.note(editor, {});
   *this = std::move(next);
   return true;
+}
+
+/// Runs the step after its work, on the document as it is then. False where that was done at once and the
+/// step refused.
+bool LastOperation::run_prepared(Editor& editor, const LongEdit& first, OperationStep step) {
+  const auto refused = std::make_shared<bool>(false);
+  editor.make(followed_by(
+      first, [&editor, refused, step = std::move(step), documents = editor.documents, object = first.object] {
+        const Document& now = editor.history.current();
+        if (editor.documents != documents || !now.find(object)) return;
+        *refused = true;
+        if (step.prepare(now, step.numbers)) return say_changed_meanwhile(editor, step.label);
+        *refused = !editor.last_operation.run(editor, step);
+      }));
+  return !*refused;
+}
+
+/// Adjusts the step after its work, where it still is the last one. False where that was done at once and the
+/// number refused.
+bool LastOperation::adjust_prepared(Editor& editor, const LongEdit& first, std::size_t number, double value) {
+  const auto refused = std::make_shared<bool>(false);
+  editor.make(followed_by(first, [&editor, refused, number, value, documents = editor.documents,
+                                  count = count_, label = step_.label] {
+    if (editor.documents != documents) return;
+    LastOperation& last = editor.last_operation;
+    *refused = true;
+    if (last.count_ != count || !last.can_adjust(editor)) return say_changed_meanwhile(editor, label);
+    *refused = !last.adjust(editor, number, value);
+  }));
+  return !*refused;
 }
 
 void LastOperation::take_up(const Editor& editor, Document before, OperationStep step) {
@@ -41,6 +99,9 @@ bool LastOperation::adjust(Editor& editor, std::size_t number, double value) {
   OperationNumber& changed = step.numbers[number];
   changed.value = std::clamp(changed.whole ? std::round(value) : value, changed.low, changed.high);
   if (changed.value == step_.numbers[number].value) return false;
+  if (step.prepare)
+    if (const auto first = step.prepare(before_, step.numbers))
+      return adjust_prepared(editor, *first, number, changed.value);
   const Result<OperationResult> tried = step.make(before_, step.numbers);
   if (!tried) {
     editor.notify(tried.error());
@@ -64,6 +125,7 @@ bool LastOperation::repeat(Editor& editor) {
     }
     step.make = begun->make;
     step.written = begun->written;
+    step.prepare = begun->prepare;
     if (!begun->label.empty()) step.label = begun->label;
   }
   return run(editor, std::move(step));

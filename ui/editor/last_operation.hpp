@@ -12,6 +12,7 @@
 
 #include "core/document/document.hpp"
 #include "ui/editor/command_arguments.hpp"
+#include "ui/editor/long_edit.hpp"
 #include "ui/editor/selection.hpp"
 
 namespace hariko {
@@ -44,14 +45,21 @@ struct OperationResult {
 using MakeOperation =
     std::function<Result<OperationResult>(const Document&, std::span<const OperationNumber>)>;
 
+/// Work that has to be done before an operation is quick with these numbers on this document, and that keeps
+/// what the operation reads then; nothing where it is done already. It is asked for again where the document
+/// is another one than that which the operation began with.
+using PrepareOperation =
+    std::function<std::optional<LongEdit>(const Document&, std::span<const OperationNumber>)>;
+
 /// Steps of a script that do what an operation does with these numbers.
 using WriteOperation = std::function<std::vector<WrittenCommand>(std::span<const OperationNumber>)>;
 
 /// An operation on what is selected in an editor.
 struct BegunOperation {
   MakeOperation make;
-  std::string label = {};       ///< of its step; empty: as before
-  WriteOperation written = {};  ///< empty: no command does the same
+  std::string label = {};         ///< of its step; empty: as before
+  WriteOperation written = {};    ///< empty: no command does the same
+  PrepareOperation prepare = {};  ///< empty: it is always quick
 };
 /// Begins an operation anew, on what is selected then, or says why it cannot be.
 using BeginOperation = std::function<Result<BegunOperation>(const Editor&)>;
@@ -59,16 +67,18 @@ using BeginOperation = std::function<Result<BegunOperation>(const Editor&)>;
 struct OperationStep {
   std::string label;
   std::vector<OperationNumber> numbers;
-  MakeOperation make;           ///< empty: of a step that was taken up and cannot be adjusted
-  BeginOperation begin = {};    ///< for repeating; empty: `make` is repeated
-  WriteOperation written = {};  ///< empty: no command does the same
+  MakeOperation make;             ///< empty: of a step that was taken up and cannot be adjusted
+  BeginOperation begin = {};      ///< for repeating; empty: `make` is repeated
+  WriteOperation written = {};    ///< empty: no command does the same
+  PrepareOperation prepare = {};  ///< empty: it is always quick
 };
 
 /// Can be adjusted as long as the document is the one that it made, and repeated as long as no other step of
 /// the same document was made after it.
 class LastOperation {
  public:
-  /// Makes the step. False, with a notice, when it is refused.
+  /// Makes the step, or begins with what it needs (`prepare`): then it is made when that is there, and a
+  /// notice says where its objects were changed meanwhile. False, with a notice, when it is refused.
   bool run(Editor& editor, OperationStep step);
   bool run(Editor& editor, std::string label, std::vector<OperationNumber> numbers, MakeOperation make) {
     return run(editor, {std::move(label), std::move(numbers), std::move(make), {}});
@@ -78,7 +88,8 @@ class LastOperation {
   void take_up(const Editor& editor, Document before, OperationStep step);
   /// Takes up a step that a command without numbers has just made: running it again repeats it.
   void take_up_command(const Editor& editor, std::string id);
-  /// Makes the step anew with another number, in the place of the old one; refused numbers change nothing.
+  /// Makes the step anew with another number, in the place of the old one, or begins with what it needs;
+  /// refused numbers change nothing.
   bool adjust(Editor& editor, std::size_t number, double value);
   /// Makes a further step like it, with its numbers, on what is selected now. False, with a notice, when it
   /// is refused. Not where a `command` is to be repeated.
@@ -95,6 +106,8 @@ class LastOperation {
   const std::vector<OperationNumber>& numbers() const { return step_.numbers; }
 
  private:
+  static bool run_prepared(Editor& editor, const LongEdit& first, OperationStep step);
+  bool adjust_prepared(Editor& editor, const LongEdit& first, std::size_t number, double value);
   bool commit(Editor& editor, const Document& before, const OperationStep& step);
   void note(const Editor& editor, std::string command);
 

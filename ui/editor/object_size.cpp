@@ -45,20 +45,23 @@ Box3 own_box(const Editor& editor, const Object& object) {
   if (view && view->mesh && !view->mesh->box().isEmpty()) return box_of(*view->mesh);
   Object placed_nowhere = object;
   placed_nowhere.transform = {};
-  return world_box(placed_nowhere);
+  return box_at_own_place(placed_nowhere);
 }
 
 Box3 shown_box(const Editor& editor, const Object& object) {
   const SurfaceView* view = editor.view_of(object.id);
   if (!view || !view->mesh || view->mesh->box().isEmpty()) return world_box(object);
   const DisplayMesh& mesh = *view->mesh;
-  Box3 box;
-  for (const auto& chunk : mesh.chunks())
-    for (const DisplayVertex& vertex : chunk->vertices) {
-      const Vector3 local(double(vertex.position[0]), double(vertex.position[1]), double(vertex.position[2]));
-      box.extend(object.transform.apply(mesh.origin() + local));
-    }
-  return box;
+  return box_of_places(object, [&](const Similarity& place) {
+    Box3 box;
+    for (const auto& chunk : mesh.chunks())
+      for (const DisplayVertex& vertex : chunk->vertices) {
+        const Vector3 local(double(vertex.position[0]), double(vertex.position[1]),
+                            double(vertex.position[2]));
+        box.extend(place.apply(mesh.origin() + local));
+      }
+    return box;
+  });
 }
 
 bool stretches(const Object& object) {

@@ -17,7 +17,7 @@ struct ProbeReading {
   std::optional<Curvature> curvature;  ///< in the document's unit; nothing where it is undefined
 };
 
-/// The front-most point of the surfaces under a pixel.
+/// The front-most point of the surfaces under a pixel; nothing where a live copy is in front.
 std::optional<SurfacePoint> surface_point(const SceneBuilder& scene, const Ray& ray);
 
 /// The value of the shown map at a point with its unit, in the document's space: "12.5 mm", "undefined".

@@ -67,6 +67,13 @@ const SavedView* chosen_view(const Editor& editor) {
   return all.empty() ? nullptr : &all.back();
 }
 
+std::string name_for_new_view(const Editor& editor) {
+  for (std::size_t number = 1;; ++number) {
+    std::string name = fill(editor.language("View {0}"), {std::to_string(number)});
+    if (!find_view(editor.document(), name)) return name;
+  }
+}
+
 bool save_view(Editor& editor, std::string name) {
   const SavedView view = saved_view_of(editor.layout.active_view().goal(), std::move(name));
   if (!editor.commit(add_view(editor.history.current(), view), translatable("Save view"))) return false;

@@ -22,6 +22,9 @@ bool looks_as(const Camera& camera, const SavedView& view);
 /// none.
 const SavedView* chosen_view(const Editor& editor);
 
+/// Name for a new view, in the language of the interface as those of new objects are: the first of "View 1",
+/// "View 2" ... that is free. O(views squared).
+std::string name_for_new_view(const Editor& editor);
 /// Saves the look of the active view under a name, and tells the script. True when it was saved.
 bool save_view(Editor& editor, std::string name);
 /// Flies there in the active view. A view that keeps its direction turns freely afterwards where it looks

@@ -19,7 +19,7 @@ bool same(const GridSettings& a, const GridSettings& b) {
 bool same(const SceneObject& a, const SceneObject& b) {
   return a.mesh == b.mesh && a.polyhedron == b.polyhedron && a.edge_curves == b.edge_curves &&
          a.outlined == b.outlined && a.outlined_as_hovered == b.outlined_as_hovered &&
-         a.transform == b.transform && a.map == b.map && a.range == b.range &&
+         a.transform == b.transform && a.copy == b.copy && a.map == b.map && a.range == b.range &&
          a.show_surface == b.show_surface && a.show_polyhedron == b.show_polyhedron &&
          a.show_network == b.show_network && a.quiet_network == b.quiet_network &&
          a.elements_pickable == b.elements_pickable && a.wire == b.wire && a.material == b.material &&
@@ -105,7 +105,7 @@ void add_symmetry_plane(const Object& object, std::vector<OverlayLine>& lines) {
   if (plane == SymmetryPlane::none) return;
   Object straight = object;
   straight.transform = Similarity{};
-  const Box3 box = world_box(straight);
+  const Box3 box = box_at_own_place(straight);
   if (box.isEmpty()) return;
   const auto axis = static_cast<Eigen::Index>(plane) - 1, u = (axis + 1) % 3, v = (axis + 2) % 3;
   const double margin = 0.08 * box.sizes().maxCoeff();
@@ -154,6 +154,16 @@ void mark_whole(const Editor& editor, const Object& object, SceneObject& out) {
     all.edges.push_back(e);
   if (selected) out.selected = all;
   if (hovered) out.hovered = all;
+}
+
+/// What is drawn at the further places of an object. Tinted patches stay, as the buffers are the same; what
+/// is drawn over them of single elements stands at the own place alone.
+SceneObject copy_at_places(const SceneObject& own, bool whole) {
+  SceneObject out = own;
+  out.copy = true;
+  out.failed = {};
+  if (!whole) out.selected = out.hovered = {};
+  return out;
 }
 
 /// Elements that are chosen or pointed at, and the patches of such faces.
@@ -222,12 +232,30 @@ void SceneBuilder::update(const Editor& editor) {
   if (!paper_) next.pictures = scene_pictures(editor);
   if (!paper_) add_section_curves(editor.sections, next.curves);
   colour_by_view(editor, next);
+  if (!paper_) add_copies(editor.document(), editor.mode == ElementMode::object, next);
   std::erase_if(entries_, [&](const auto& entry) { return !editor.document().find(entry.first); });
   const bool compared = !compared_.empty();
   if (!same(next, scene_)) ++version_;
   scene_ = std::move(next);
   compare(editor);
   if (compared != !compared_.empty()) ++version_;
+}
+
+/// Live copies: what stands at an object's own place once more at each further one. `whole`: objects are
+/// chosen and pointed at, not their elements.
+void SceneBuilder::add_copies(const Document& document, bool whole, Scene& scene) {
+  const std::size_t own = scene.objects.size();
+  for (std::size_t i = 0; i < own; ++i) {
+    const Object* object = document.find(ids_[i]);
+    if (!object || object->copies->empty()) continue;
+    const SceneObject copy = copy_at_places(scene.objects[i], whole);
+    const std::vector<Similarity> places = places_of(*object);
+    for (std::size_t k = 1; k < places.size(); ++k) {
+      scene.objects.push_back(copy);
+      scene.objects.back().transform = matrix_of(places[k]);
+      ids_.push_back(object->id);
+    }
+  }
 }
 
 /// The four pictures: the same scene, with another mesh or another error in the object's place.
@@ -237,13 +265,13 @@ void SceneBuilder::compare(const Editor& editor) {
   const auto object = meshed_object(editor.document(), editor.selection.active);
   const MeshingResult* result = object ? editor.meshing.shown_for(object) : nullptr;
   if (!result || !result->compared) return;
-  const auto at = std::find(ids_.begin(), ids_.end(), object->id) - ids_.begin();
   compared_.resize(ViewLayout::count, scene_);
   std::size_t place = 0;
   for (const Pane& pane : editor.layout.panes()) {
     const ComparedPicture picture = compared_picture(place++);
-    show_errors((*result->compared)[picture.mesh], picture.shown,
-                compared_[static_cast<std::size_t>(pane.view)].objects[static_cast<std::size_t>(at)]);
+    std::vector<SceneObject>& shown = compared_[static_cast<std::size_t>(pane.view)].objects;
+    for (std::size_t i = 0; i < shown.size(); ++i)
+      if (ids_[i] == object->id) show_errors((*result->compared)[picture.mesh], picture.shown, shown[i]);
   }
 }
 

@@ -54,6 +54,7 @@ class SceneBuilder {
   std::shared_ptr<const EdgeCurves> edge_curves_of(const Object& object, const DisplayMesh& mesh,
                                                    const DisplayPolyhedron& polyhedron);
   void colour_by_view(const Editor& editor, Scene& scene);
+  void add_copies(const Document& document, bool whole, Scene& scene);
   SceneObject describe(const Editor& editor, const std::shared_ptr<const Object>& object);
   void describe_surface(const Editor& editor, const Object& object, const SurfaceView& view,
                         SceneObject& out);

@@ -62,8 +62,9 @@ std::vector<DrawnSurface> surfaces_to_cut(const Editor& editor) {
   for (const auto& object : editor.document().objects) {
     const SurfaceView* view =
         object->visible && object->display.surface && editor.views ? editor.view_of(object->id) : nullptr;
-    if (view && view->surface.patch_count() > 0)
-      out.push_back({view->surface, Eigen::Affine3d(matrix_of(object->transform))});
+    if (!view || view->surface.patch_count() == 0) continue;
+    for (const Similarity& place : places_of(*object))
+      out.push_back({view->surface, Eigen::Affine3d(matrix_of(place))});
   }
   return out;
 }

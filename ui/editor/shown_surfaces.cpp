@@ -12,9 +12,11 @@ std::vector<SceneObject> shown_surfaces(const Editor& editor) {
     if (!object->visible || !object->display.surface || !object->has_surface() || !shown || !shown->mesh ||
         shown->error)
       continue;
-    SceneObject& surface = out.emplace_back();
-    surface.mesh = shown->mesh;
-    surface.transform = matrix_of(object->transform);
+    for (const Similarity& place : places_of(*object)) {
+      SceneObject& surface = out.emplace_back();
+      surface.mesh = shown->mesh;
+      surface.transform = matrix_of(place);
+    }
   }
   return out;
 }

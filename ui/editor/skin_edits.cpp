@@ -19,7 +19,7 @@ bool commit_skin(Editor& editor, ObjectId object, const Result<SkinEdit>& edit, 
   if (!editor.commit(with_skin(editor.history.current(), object, edit), label)) return false;
   for (const Message& note : edit->notes) editor.notify(note);
   Box3 box;
-  if (const Object* changed = editor.document().find(object)) box = world_box(*changed);
+  if (const Object* changed = editor.document().find(object)) box = box_at_own_place(*changed);
   const double size = box.isEmpty() ? 0 : box.sizes().maxCoeff();
   if (edit->deviation > 1e-6 * size)
     editor.notify(Notice::Kind::info, fill(editor.language("The curve moved by up to {0}."),

@@ -26,7 +26,7 @@ static_assert(quality_names.size() == enum_words<CadQuality>.size());
 void CadOptions::begin(const Editor& editor) {
   Box3 box;
   for (const auto& object : editor.document().objects)
-    if (object->visible && object->has_surface()) box.extend(world_box(*object));
+    if (object->visible && object->has_surface()) box.extend(box_at_own_place(*object));
   size_ = box.isEmpty() ? 1 : std::max(box.diagonal().norm(), 1e-9);
   double& tolerance = settings_.choices.tolerance;
   const bool suits = tolerance >= finest * size() && tolerance <= coarsest * size();

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "core/base/files/file_ending.hpp"
+#include "ui/widgets/number_slider.hpp"
 #include "ui/widgets/option_fields.hpp"
 #include "ui/widgets/tips.hpp"
 
@@ -48,7 +49,7 @@ void ExportOptions::suit_size() {
 void ExportOptions::begin(const Editor& editor, const std::filesystem::path& name) {
   Box3 box;
   for (const auto& object : editor.document().objects)
-    if (object->visible) box.extend(world_box(*object));
+    if (object->visible) box.extend(box_at_own_place(*object));
   size_ = box.isEmpty() ? 1 : box.diagonal().norm();
   take_up(name);
   suit_size();
@@ -166,9 +167,10 @@ bool ExportOptions::draw(const Editor& editor, Marks& marks, const Metrics& metr
     tolerance_row(editor, marks, metrics);
   } else {
     option_label(tr, metrics, translatable("Density"));
-    ImGui::SetNextItemWidth(metrics.px(220));
-    ImGui::SliderInt(tr("intervals a patch side"), &settings_.density, 1, 64);
+    number_slider("##density", {1, 64, "%d", ImGuiSliderFlags_None}, settings_.density, metrics.px(220));
     marks.item("export.density");
+    ImGui::SameLine();
+    ImGui::TextUnformatted(tr("intervals a patch side"));
   }
   file_row(editor, marks, metrics, written_format(name).value_or(FormatChoices{}));
   result_row(editor, marks);

@@ -139,7 +139,8 @@ void FileDialog::make_folder(PanelContext& context) {
   std::error_code error;
   if (new_folder_->empty() || *new_folder_ != path.filename().string() ||
       !fs::create_directory(path, error)) {
-    const std::string why = error ? error.message() : std::string(context.tr("it is there already"));
+    const std::string why =
+        error ? context.tr(error.message()) : std::string(context.tr("it is there already"));
     error_ = fill(context.tr("The folder {0} cannot be made: {1}."), {path.string(), why});
     return;
   }

@@ -84,8 +84,7 @@ void FileDialogs::save_as(std::function<void()> then) {
 
 void FileDialogs::save_copy() {
   const std::filesystem::path name = name_proposal();
-  std::filesystem::path copy = name.stem();
-  copy += " copy";
+  std::filesystem::path copy = fill(editor_.language("{0} copy"), {name.stem().string()});
   copy += name.extension();
   dialog_.open({translatable("Save a copy"),
                 translatable("Save"),
@@ -327,11 +326,13 @@ void FileDialogs::record_script() {
 
 std::filesystem::path FileDialogs::name_proposal() const {
   if (editor_.path) return *editor_.path;
-  return (editor_.suggested_name.empty() ? std::string("Untitled") : editor_.suggested_name) + ".hariko";
+  return editor_.title() + ".hariko";
 }
 
 std::filesystem::path FileDialogs::export_proposal(const char* ending) const {
-  std::filesystem::path out = folder_proposal() / (editor_.path ? editor_.path->stem() : "Untitled");
+  const std::string stem =
+      editor_.path ? editor_.path->stem().string() : std::string(editor_.language("Untitled"));
+  std::filesystem::path out = folder_proposal() / stem;
   out += ending;
   return out;
 }

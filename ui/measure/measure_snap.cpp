@@ -57,9 +57,10 @@ std::optional<MeasurePlace> on_surface(const ToolContext& context, const Ray& ra
   const Object* object = hit ? object_of_hit(context, hit->object) : nullptr;
   if (!object) return std::nullopt;
   const SurfaceView* view = context.editor.view_of(object->id);
-  // Triangles may stand in the place of the surface.
-  if (!view || view->mesh != context.scene.scene().objects[hit->object].mesh ||
-      hit->patch >= view->surface.patch_count())
+  // Triangles may stand in the place of the surface. A point of a live copy keeps its place in the object's
+  // space: elements are those at the own place.
+  const SceneObject& shown = context.scene.scene().objects[hit->object];
+  if (shown.copy || !view || view->mesh != shown.mesh || hit->patch >= view->surface.patch_count())
     return held_by_object(MeasurePlace::Kind::surface, *object, hit->point);
   const Surface& surface = view->surface;
   const SurfaceSpot spot{hit->patch, hit->parameter};

@@ -238,6 +238,7 @@ class LoopTool final : public Tool {
     const Document& document = editor.history.current();
     OutlineSource source;
     source.outline = Outline{{std::move(loop)}};
+    source.settings = new_outline_settings();
     double sum = 0;
     for (const Corner& corner : corners_) sum += corner.gauss;
     if (sum < 0) source.settings.sign = CurvatureSign::negative;

@@ -1,10 +1,15 @@
 // Commands that bring a polyhedron to reference facets, as a scan is: its vertices, or its surface.
 
+#include <algorithm>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
+#include <span>
 #include <utility>
+#include <vector>
 
+#include "core/base/assert.hpp"
 #include "core/exchange/repair/triangulate.hpp"
 #include "core/modeling/surfacing/fit_to_reference.hpp"
 #include "core/modeling/surfacing/project_to_reference.hpp"
@@ -17,33 +22,147 @@ namespace hariko {
 
 namespace {
 
-using Facets = std::shared_ptr<const ReferenceFacets>;
-
 bool is_shown_reference(const Object& object) {
   return object.visible && object.mesh();
 }
 
+using SharedObjects = std::vector<std::shared_ptr<const Object>>;
+
 /// The references that are chosen, else all that are shown.
-std::vector<const Object*> references_of(const Editor& editor) {
-  std::vector<const Object*> chosen, shown;
+SharedObjects references_of(const Editor& editor) {
+  SharedObjects chosen, shown;
   for (const auto& object : editor.history.current().objects) {
     if (!is_shown_reference(*object)) continue;
-    shown.push_back(object.get());
-    if (editor.selection.objects().contains(object->id)) chosen.push_back(object.get());
+    shown.push_back(object);
+    if (editor.selection.objects().contains(object->id)) chosen.push_back(object);
   }
   return chosen.empty() ? shown : chosen;
 }
 
-/// Their facets as they are seen from an object with a polyhedron.
-Facets facets_seen_from(const Object& object, const std::vector<const Object*>& references) {
+/// Polyhedron that is brought to references, all as they are when that begins.
+struct ReferenceTask {
+  std::shared_ptr<const Object> object;
+  SharedObjects references;
+  std::vector<VertexId> vertices;  ///< that may move
+};
+
+/// Whether everything still is as when the task began.
+bool still_holds(const ReferenceTask& task, const Document& document) {
+  const auto same = [&](const std::shared_ptr<const Object>& then) {
+    const auto now = document.find_shared(then->id);
+    return now == then || (now && now->source == then->source && now->transform == then->transform);
+  };
+  return same(task.object) && std::all_of(task.references.begin(), task.references.end(), same);
+}
+
+using Facets = std::shared_ptr<const ReferenceFacets>;
+
+/// Facets of the references as they are seen from the object.
+Facets seen_facets(const ReferenceTask& task) {
   std::vector<FaceTriangles> cut;
   std::vector<FacetPart> parts;
-  for (const Object* reference : references) cut.push_back(triangulate(*reference->mesh()->mesh));
-  for (std::size_t i = 0; i < references.size(); ++i) {
-    const MeshSource& source = *references[i]->mesh();
-    parts.push_back({source.mesh->positions, cut[i].triangles, source.origin, references[i]->transform});
+  for (const auto& reference : task.references) cut.push_back(triangulate(*reference->mesh()->mesh));
+  for (std::size_t i = 0; i < task.references.size(); ++i) {
+    const MeshSource& source = *task.references[i]->mesh();
+    parts.push_back({source.mesh->positions, cut[i].triangles, source.origin, task.references[i]->transform});
   }
+  const Object& object = *task.object;
   return std::make_shared<const ReferenceFacets>(parts, object.polyhedron()->origin, object.transform);
+}
+
+/// Polyhedron at the references, and the notice that tells of it.
+struct BroughtToReference {
+  PolyhedronSource source;
+  std::function<void(Editor&)> say;  ///< may be empty
+};
+/// Brings the object of a task to the references, in so many steps where it takes any.
+using BringToReference = std::function<Result<BroughtToReference>(
+    const ReferenceTask&, const ReferenceFacets&, int steps, const CancelToken&, const Progress&)>;
+
+/// Results of one task by their numbers of steps, so that each is made once while the number is adjusted. For
+/// the main thread.
+struct ReferenceResults {
+  ReferenceTask task;
+  BringToReference bring;
+  Facets facets = {};  ///< null before the first result
+  std::map<int, Result<BroughtToReference>> by_steps = {};
+};
+
+int steps_of(std::span<const OperationNumber> numbers) {
+  return numbers.empty() ? 0 : static_cast<int>(numbers[0].value);
+}
+
+/// Work that gives the results one more, unless it is there. `what`: names it, with a place for the object.
+PrepareOperation preparing_results(const std::shared_ptr<ReferenceResults>& results, const char* what) {
+  return [results, what](const Document& document,
+                         std::span<const OperationNumber> numbers) -> std::optional<LongEdit> {
+    const int steps = steps_of(numbers);
+    const ReferenceTask& task = results->task;
+    if (results->by_steps.contains(steps) && still_holds(task, document)) return std::nullopt;
+    const auto work = [results, steps, task, bring = results->bring, facets = results->facets](
+                          const CancelToken& cancel, const Progress& progress) -> LongEdit::Then {
+      const Facets seen = facets ? facets : seen_facets(task);
+      const auto made =
+          std::make_shared<const Result<BroughtToReference>>(bring(task, *seen, steps, cancel, progress));
+      return [results, steps, seen, made] {
+        results->facets = seen;
+        results->by_steps.insert_or_assign(steps, *made);
+      };
+    };
+    return LongEdit{fill(what, {task.object->name}), task.object->id, work};
+  };
+}
+
+MakeOperation taking_results(const std::shared_ptr<ReferenceResults>& results) {
+  return [results](const Document& document,
+                   std::span<const OperationNumber> numbers) -> Result<OperationResult> {
+    const auto known = results->by_steps.find(steps_of(numbers));
+    HARIKO_ASSERT(known != results->by_steps.end(), "the result is prepared before the step is made");
+    const Result<BroughtToReference>& brought = known->second;
+    auto done = edit_polyhedron(document, results->task.object->id,
+                                [&](const PolyhedronSource&) -> Result<EditResult> {
+                                  if (!brought) return brought.error();
+                                  return EditResult{brought->source, {}};
+                                });
+    if (!done) return done.error();
+    OperationResult out{std::move(done->document), results->task.object->id};
+    out.keeps_selection = true;
+    out.say = brought->say;
+    return out;
+  };
+}
+
+/// Begins to bring vertices of the active polyhedron to the references, or says at once why none may move.
+Result<BegunOperation> begin_bringing(const Editor& editor, const WhyNot& why_not,
+                                      std::vector<VertexId> (*vertices_of)(const Editor&), const char* what,
+                                      BringToReference bring, WriteOperation written) {
+  if (const Reason reason = why_not()) return make_error(e_wrong_selection, *reason);
+  const Document& document = editor.history.current();
+  ReferenceTask task{document.find_shared(editor.selection.active), references_of(editor),
+                     vertices_of(editor)};
+  const auto allowed =
+      edit_polyhedron(document, task.object->id, [&](const PolyhedronSource& source) -> Result<EditResult> {
+        if (const auto moving = vertices_to_move(source, task.vertices); !moving) return moving.error();
+        return EditResult{source, {}};
+      });
+  if (!allowed) return allowed.error();
+  const auto results =
+      std::make_shared<ReferenceResults>(ReferenceResults{std::move(task), std::move(bring)});
+  return BegunOperation{taking_results(results), {}, std::move(written), preparing_results(results, what)};
+}
+
+void run_bringing(Editor& editor, const char* label, std::vector<OperationNumber> numbers,
+                  Result<BegunOperation> (*begin)(const Editor&)) {
+  auto begun = begin(editor);
+  if (!begun) return editor.notify(begun.error());
+  OperationStep step;
+  step.label = label;
+  step.numbers = std::move(numbers);
+  step.make = begun->make;
+  step.begin = begin;
+  step.written = begun->written;
+  step.prepare = begun->prepare;
+  editor.last_operation.run(editor, std::move(step));
 }
 
 WhyNot with_a_reference(const Editor& editor, WhyNot first) {
@@ -52,114 +171,102 @@ WhyNot with_a_reference(const Editor& editor, WhyNot first) {
       translatable("No reference facets are shown. Import a scan as reference facets, or show it."));
 }
 
+// Projection.
+
 WhyNot needs_projectable(const Editor& editor) {
   return with_a_reference(editor, needs_elements(editor, {.vertices = true, .edges = true, .faces = true}));
 }
 
-void project_selected(Editor& editor) {
-  const Object& object = *editor.active_object();
-  const auto ids = touched_vertices(editor.selection.of_active(), object.polyhedron()->polyhedron);
-  const auto done = edit_polyhedron(editor.history.current(), object.id, [&](const PolyhedronSource& source) {
-    return project_to_reference(source, ids, *facets_seen_from(object, references_of(editor)));
-  });
-  if (!done) return editor.notify(done.error());
-  if (!editor.commit(Result<Document>(done->document), translatable("Project onto the reference")))
-    editor.notify(Notice::Kind::info, editor.language("The vertices lie on the reference already."));
+std::vector<VertexId> vertices_to_project(const Editor& editor) {
+  return touched_vertices(editor.selection.of_active(), editor.active_object()->polyhedron()->polyhedron);
+}
+
+Result<BroughtToReference> brought_by_projection(const ReferenceTask& task, const ReferenceFacets& facets,
+                                                 int, const CancelToken&, const Progress&) {
+  const PolyhedronSource& source = *task.object->polyhedron();
+  auto done = project_to_reference(source, task.vertices, facets);
+  if (!done) return done.error();
+  BroughtToReference out{std::move(done).value().source, {}};
+  if (out.source == source)
+    out.say = [](Editor& now) {
+      now.notify(Notice::Kind::info, now.language("The vertices lie on the reference already."));
+    };
+  return out;
+}
+
+std::vector<WrittenCommand> written_projection(std::span<const OperationNumber>) {
+  return {WrittenCommand{"mesh.project_reference"}};
+}
+
+Result<BegunOperation> begin_projection(const Editor& editor) {
+  return begin_bringing(editor, needs_projectable(editor), vertices_to_project,
+                        translatable("Projecting {0}"), brought_by_projection, written_projection);
+}
+
+void run_projection(Editor& editor) {
+  run_bringing(editor, translatable("Project onto the reference"), {}, begin_projection);
+}
+
+// Fit.
+
+WhyNot needs_fittable(const Editor& editor) {
+  return with_a_reference(editor, needs_polyhedron(editor));
 }
 
 std::vector<OperationNumber> fit_numbers() {
   return {{"steps", translatable("Steps"), double(FitOptions{}.steps), 1, max_fit_steps, true}};
 }
 
+/// Vertices that are touched by what is selected; all where nothing is, or whole objects are.
+std::vector<VertexId> vertices_to_fit(const Editor& editor) {
+  const Polyhedron& polyhedron = editor.active_object()->polyhedron()->polyhedron;
+  std::vector<VertexId> ids;
+  if (editor.mode != ElementMode::object) ids = touched_vertices(editor.selection.of_active(), polyhedron);
+  if (ids.empty())
+    for (Index v = 0; v < polyhedron.vertex_count(); ++v) ids.push_back(polyhedron.vertex_id(v));
+  return ids;
+}
+
 /// Notice with the distances before and after a fit, in lengths of the document.
-void say_fit(Editor& editor, const ReferenceFit& fit, double scale) {
+void say_fit(Editor& editor, const ReferenceDistance& before, const ReferenceDistance& after, bool nearer,
+             double scale) {
   const auto length = [&](double in_object) {
     return format_quantity(measured_length(editor.document().unit, scale * in_object), scale * in_object);
   };
-  const ReferenceDistance &before = fit.before, &after = fit.after;
   editor.notify(
       Notice::Kind::info,
-      fit.steps == 0
-          ? fill(editor.language(
-                     "Moving these vertices brings the surface no nearer to the reference: it is off by "
-                     "{0} on average and by {1} at most."),
-                 {length(before.mean), length(before.largest)})
-          : fill(editor.language(
-                     "The surface was off the reference by {0} on average and by {1} at most. Now it "
-                     "is {2} and {3}."),
-                 {length(before.mean), length(before.largest), length(after.mean), length(after.largest)}));
+      nearer ? fill(editor.language(
+                        "The surface was off the reference by {0} on average and by {1} at most. Now it "
+                        "is {2} and {3}."),
+                    {length(before.mean), length(before.largest), length(after.mean), length(after.largest)})
+             : fill(editor.language(
+                        "Moving these vertices brings the surface no nearer to the reference: it is off by "
+                        "{0} on average and by {1} at most."),
+                    {length(before.mean), length(before.largest)}));
+}
+
+Result<BroughtToReference> brought_by_fit(const ReferenceTask& task, const ReferenceFacets& facets, int steps,
+                                          const CancelToken& cancel, const Progress& progress) {
+  const auto fit =
+      fit_to_reference(*task.object->polyhedron(), task.vertices, facets, {steps}, cancel, progress);
+  if (!fit) return fit.error();
+  return BroughtToReference{fit->source, [before = fit->before, after = fit->after, nearer = fit->steps > 0,
+                                          scale = task.object->transform.scale](Editor& now) {
+                              say_fit(now, before, after, nearer, scale);
+                            }};
 }
 
 std::vector<WrittenCommand> written_fit(std::span<const OperationNumber> numbers) {
   return {WrittenCommand{"mesh.fit_reference", written_numbers(numbers)}};
 }
 
-/// Fits of one polyhedron by their numbers of steps, so that each is made once while the number is adjusted.
-class KnownFits {
- public:
-  KnownFits(Facets facets, std::vector<VertexId> vertices)
-      : facets_(std::move(facets)), vertices_(std::move(vertices)) {}
-
-  Result<std::shared_ptr<const ReferenceFit>> of(const PolyhedronSource& source, int steps) {
-    if (!source_ || !(*source_ == source)) fits_.clear();
-    source_ = source;
-    if (const auto known = fits_.find(steps); known != fits_.end()) return known->second;
-    auto fit = fit_to_reference(source, vertices_, *facets_, {steps});
-    if (!fit) return fit.error();
-    return fits_[steps] = std::make_shared<const ReferenceFit>(std::move(fit).value());
-  }
-
- private:
-  Facets facets_;
-  std::vector<VertexId> vertices_;
-  std::optional<PolyhedronSource> source_;
-  std::map<int, std::shared_ptr<const ReferenceFit>> fits_;
-};
-
-/// A fit of the vertices that are touched by what is selected; of all where nothing is, or whole objects are.
-BegunOperation fitting(const Editor& editor) {
-  const Object& object = *editor.active_object();
-  const Polyhedron& polyhedron = object.polyhedron()->polyhedron;
-  std::vector<VertexId> ids;
-  if (editor.mode != ElementMode::object) ids = touched_vertices(editor.selection.of_active(), polyhedron);
-  if (ids.empty())
-    for (Index v = 0; v < polyhedron.vertex_count(); ++v) ids.push_back(polyhedron.vertex_id(v));
-  const auto fits =
-      std::make_shared<KnownFits>(facets_seen_from(object, references_of(editor)), std::move(ids));
-  const auto make = [fits, id = object.id, scale = object.transform.scale](
-                        const Document& document,
-                        std::span<const OperationNumber> numbers) -> Result<OperationResult> {
-    std::shared_ptr<const ReferenceFit> fit;
-    auto done = edit_polyhedron(document, id, [&](const PolyhedronSource& source) -> Result<EditResult> {
-      const auto found = fits->of(source, static_cast<int>(numbers[0].value));
-      if (!found) return found.error();
-      fit = *found;
-      return EditResult{fit->source, {}};
-    });
-    if (!done) return done.error();
-    OperationResult out{std::move(done->document), id};
-    out.keeps_selection = true;
-    out.say = [fit, scale](Editor& now) { say_fit(now, *fit, scale); };
-    return out;
-  };
-  return {make, {}, written_fit};
-}
-
-WhyNot needs_fittable(const Editor& editor) {
-  return with_a_reference(editor, needs_polyhedron(editor));
+Result<BegunOperation> begin_fit(const Editor& editor) {
+  return begin_bringing(editor, needs_fittable(editor), vertices_to_fit, translatable("Fitting {0}"),
+                        brought_by_fit, written_fit);
 }
 
 void run_fit(Editor& editor, std::vector<OperationNumber> numbers) {
-  OperationStep step;
-  step.label = translatable("Fit to the reference");
-  step.numbers = std::move(numbers);
-  step.make = fitting(editor).make;
-  step.begin = [](const Editor& now) -> Result<BegunOperation> {
-    if (const Reason reason = needs_fittable(now)()) return make_error(e_wrong_selection, *reason);
-    return fitting(now);
-  };
-  step.written = written_fit;
-  editor.last_operation.run(editor, std::move(step));
+  run_bringing(editor, translatable("Fit to the reference"), std::move(numbers), begin_fit);
 }
 
 }  // namespace
@@ -174,7 +281,7 @@ void add_reference_commands(CommandHost& host) {
                       "facets, or of all that are shown.",
                   .changes_document = true,
                   .separator_before = true,
-                  .run = [&editor] { project_selected(editor); },
+                  .run = [&editor] { run_projection(editor); },
                   .why_not = needs_projectable(editor),
                   .contexts = any_element});
   host.table.add(

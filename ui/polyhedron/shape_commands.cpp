@@ -176,13 +176,12 @@ void add_copied_tension(CommandHost& host) {
            translatable("No tension was copied. Select a vertex or an edge and copy its tension."))});
 }
 
-/// Visible polyhedra whose surfaces know frames.
+/// Visible objects whose surfaces know frames.
 template <class Visit>
 void for_framed(const Document& document, const Visit& visit) {
   for (const auto& object : document.objects) {
-    const PolyhedronSource* source = object->polyhedron();
-    if (source && object->visible && !object->locked && source->mode != Mode::paper)
-      visit(*object, source->frames);
+    const auto frames = surface_frames(object->source);
+    if (frames && object->visible && !object->locked) visit(*object, *frames);
   }
 }
 
@@ -210,12 +209,12 @@ void add_frames(CommandHost& host) {
        .menu = "Shape",
        .label = "Surfaces by measure",
        .help =
-           "All visible surfaces follow the angles and lengths of their polyhedra, or equal angles again.",
+           "All visible surfaces of polyhedra and outlines follow angles and lengths, or equal angles again.",
        .changes_document = true,
        .run = [&editor] { switch_frames(editor); },
        .why_not = only_if(
            needs_document(editor), [&editor] { return any_framed(editor.history.current()); },
-           translatable("No visible polyhedron has a surface of mode fair or target."))});
+           translatable("Nothing visible has a surface that angles and lengths could count for."))});
 }
 
 void crease_edges(Editor& editor, bool crease) {

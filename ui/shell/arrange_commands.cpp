@@ -41,10 +41,19 @@ double usual_step(const Editor& editor, std::span<const ObjectId> ids) {
   return std::ceil(1.25 * width / digit) * digit;
 }
 
+Result<Document> live_row(const Document& document, std::span<const ObjectId> ids, int count,
+                          const Vector3& step) {
+  const auto row = row_of_copies(count, step);
+  if (!row) return row.error();
+  return add_live_copies(document, ids, *row);
+}
+
 Result<MakeOperation> row_of_objects(const Editor&, std::vector<ObjectId> ids) {
   return MakeOperation([ids = std::move(ids)](const Document& document, std::span<const OperationNumber> n) {
-    return all_chosen(
-        array_in_row(document, ids, int(n[0].value), Vector3(n[1].value, n[2].value, n[3].value)), ids);
+    const Vector3 step(n[1].value, n[2].value, n[3].value);
+    if (wants_live_copies(n))
+      return chosen_with_live_copies(live_row(document, ids, int(n[0].value), step), ids);
+    return all_chosen(array_in_row(document, ids, int(n[0].value), step), ids);
   });
 }
 
@@ -52,7 +61,8 @@ WriteOperation written_row(const Editor&) {
   return [](std::span<const OperationNumber> n) {
     return std::vector{WrittenCommand{
         "object.array_row",
-        {written("count", n[0].value), written("step", Vector3(n[1].value, n[2].value, n[3].value))}}};
+        {written("count", n[0].value), written("step", Vector3(n[1].value, n[2].value, n[3].value)),
+         written_switch("live", wants_live_copies(n))}}};
   };
 }
 
@@ -62,7 +72,7 @@ void make_row_of_objects(Editor& editor) {
                 {count_of_places(usual_count),
                  distance_number("array_x", translatable("Step X"), usual_step(editor, chosen_ids(editor))),
                  distance_number("array_y", translatable("Step Y"), 0),
-                 distance_number("array_z", translatable("Step Z"), 0)},
+                 distance_number("array_z", translatable("Step Z"), 0), kind_of_copies()},
                 row_of_objects, written_row);
 }
 
@@ -78,6 +88,13 @@ Centres centres_of(const Editor& editor, std::span<const ObjectId> ids) {
   return centres;
 }
 
+Result<Document> live_ring(const Document& document, std::span<const ObjectId> ids, int count,
+                           const RingAxis& axis, double degrees) {
+  const auto ring = ring_of_copies(count, axis, degrees);
+  if (!ring) return ring.error();
+  return add_live_copies(document, ids, *ring);
+}
+
 Result<MakeOperation> ring_of_objects(const Editor& editor, std::vector<ObjectId> ids) {
   const Centres centres = centres_of(editor, ids);
   return MakeOperation(
@@ -87,9 +104,10 @@ Result<MakeOperation> ring_of_objects(const Editor& editor, std::vector<ObjectId
         if (!centre)
           return make_error(e_no_ring_centre, "What is selected has no such centre.",
                             "Choose the world's zero, or select something.");
-        const Vector3 direction = Vector3::Unit(static_cast<Eigen::Index>(n[1].value));
-        return all_chosen(array_around_axis(document, ids, int(n[0].value), {*centre, direction}, n[3].value),
-                          ids);
+        const RingAxis axis{*centre, Vector3::Unit(static_cast<Eigen::Index>(n[1].value))};
+        if (wants_live_copies(n))
+          return chosen_with_live_copies(live_ring(document, ids, int(n[0].value), axis, n[3].value), ids);
+        return all_chosen(array_around_axis(document, ids, int(n[0].value), axis, n[3].value), ids);
       });
 }
 
@@ -101,7 +119,8 @@ WriteOperation written_ring(const Editor& editor) {
         WrittenCommand{"object.array_ring",
                        {written("count", n[0].value),
                         written("axis", std::string(1, static_cast<char>('x' + int(n[1].value)))),
-                        written("centre", *centre), written("angle", n[3].value)}}};
+                        written("centre", *centre), written("angle", n[3].value),
+                        written_switch("live", wants_live_copies(n))}}};
   };
 }
 
@@ -118,12 +137,12 @@ void make_ring_of_objects(Editor& editor) {
       true,
       false,
       {translatable("World zero"), translatable("Selection"), translatable("Pivot")}};
-  run_on_chosen(
-      editor, ring_step,
-      {count_of_places(usual_count), axis, centre,
-       OperationNumber{
-           "array_angle", translatable("Angle"), full_turn, -full_turn, full_turn, false, true, {}}},
-      ring_of_objects, written_ring);
+  run_on_chosen(editor, ring_step,
+                {count_of_places(usual_count), axis, centre,
+                 OperationNumber{
+                     "array_angle", translatable("Angle"), full_turn, -full_turn, full_turn, false, true, {}},
+                 kind_of_copies()},
+                ring_of_objects, written_ring);
 }
 
 /// Makes images, which are then chosen, as copies are.
@@ -233,8 +252,14 @@ void distribute_chosen(Editor& editor, Axis axis) {
 ScriptUse row_in_scripts(Editor& editor) {
   ScriptUse use;
   use.arguments = {whole_argument("count", translatable("Total count"), 3, least_places, most_places),
-                   point_argument("step", translatable("Step"), ArgumentUnit::length, std::nullopt)};
+                   point_argument("step", translatable("Step"), ArgumentUnit::length, std::nullopt),
+                   live_copies_argument()};
   use.run = [&editor](const Arguments& given) {
+    if (given.on("live"))
+      return make_live_copies(
+          editor,
+          live_row(editor.history.current(), chosen_ids(editor), given.whole("count"), given.point("step")),
+          row_step);
     make_copies(
         editor,
         array_in_row(editor.history.current(), chosen_ids(editor), given.whole("count"), given.point("step")),
@@ -248,9 +273,14 @@ ScriptUse ring_in_scripts(Editor& editor) {
   use.arguments = {whole_argument("count", translatable("Total count"), 6, least_places, most_places),
                    word_argument("axis", translatable("Axis"), {"x", "y", "z"}, "z"),
                    point_argument("centre", translatable("Centre"), ArgumentUnit::length, Vector3(0, 0, 0)),
-                   angle_argument("angle", translatable("Angle"), 360)};
+                   angle_argument("angle", translatable("Angle"), 360), live_copies_argument()};
   use.run = [&editor](const Arguments& given) {
     const RingAxis axis{given.point("centre"), Vector3::Unit(given.text("axis").front() - 'x')};
+    if (given.on("live"))
+      return make_live_copies(editor,
+                              live_ring(editor.history.current(), chosen_ids(editor), given.whole("count"),
+                                        axis, given.number("angle")),
+                              ring_step);
     make_copies(editor,
                 array_around_axis(editor.history.current(), chosen_ids(editor), given.whole("count"), axis,
                                   given.number("angle")),
@@ -312,6 +342,7 @@ void add_copying(CommandHost& host) {
              .contexts = Context::object,
              .script = ring_in_scripts(editor)});
   add_curve_array_command(host);
+  add_live_copy_commands(host);
   bool first = true;
   const auto mirror = [&](const char* id, const char* label, Axis axis) {
     table.add({.id = id,

@@ -48,6 +48,33 @@ Result<OperationResult> all_chosen(const Result<AddedObjects>& added,
   return result;
 }
 
+Result<OperationResult> chosen_with_live_copies(Result<Document> made,
+                                                const std::vector<ObjectId>& originals) {
+  if (!made) return made.error();
+  OperationResult result{std::move(made).value(), originals.front()};
+  result.objects = originals;
+  return result;
+}
+
+OperationNumber kind_of_copies() {
+  return {"array_copies",
+          translatable("Copies as"),
+          0,
+          0,
+          1,
+          true,
+          false,
+          {translatable("Objects"), translatable("Live copies")}};
+}
+
+bool wants_live_copies(std::span<const OperationNumber> numbers) {
+  return numbers.back().value != 0;
+}
+
+ArgumentSpec live_copies_argument() {
+  return on_off_argument("live", translatable("Live copies"), false);
+}
+
 OperationNumber distance_number(const char* id, const char* label, double value) {
   return {id, label, value, -max_primitive_length, max_primitive_length, false};
 }
@@ -61,6 +88,10 @@ void make_copies(Editor& editor, const Result<AddedObjects>& added, std::vector<
   if (!added) return editor.notify(added.error());
   if (editor.commit(added->document, step))
     choose_objects(editor, with_copies_of(std::move(originals), added->ids));
+}
+
+void make_live_copies(Editor& editor, const Result<Document>& made, const char* step) {
+  editor.commit(made, step);
 }
 
 }  // namespace hariko

@@ -33,14 +33,28 @@ void run_on_chosen(Editor& editor, const char* label, std::vector<OperationNumbe
 /// Originals with their copies, all of them chosen: a row of a row makes a grid.
 Result<OperationResult> all_chosen(const Result<AddedObjects>& added, const std::vector<ObjectId>& originals);
 
+/// Originals with live copies, chosen as they were.
+Result<OperationResult> chosen_with_live_copies(Result<Document> made,
+                                                const std::vector<ObjectId>& originals);
+
 /// Makes copies for a script, which names every number, and chooses them with their originals.
 void make_copies(Editor& editor, const Result<AddedObjects>& added, std::vector<ObjectId> originals,
                  const char* step);
+/// The same for live copies, which are chosen with their objects.
+void make_live_copies(Editor& editor, const Result<Document>& made, const char* step);
+
+/// Choice of copies that are objects, or live ones; usually objects. The last of the numbers of an array.
+OperationNumber kind_of_copies();
+bool wants_live_copies(std::span<const OperationNumber> numbers);
+/// The same choice in scripts, on or off.
+ArgumentSpec live_copies_argument();
 
 OperationNumber distance_number(const char* id, const char* label, double value);
 OperationNumber count_of_places(int value);
 
 /// Adds the command that places copies along a curve.
 void add_curve_array_command(CommandHost& host);
+/// Adds the commands that make objects of live copies and take them away.
+void add_live_copy_commands(CommandHost& host);
 
 }  // namespace hariko

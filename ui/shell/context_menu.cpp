@@ -32,7 +32,7 @@ Context context_of(const Editor& editor, const std::optional<ElementRef>& elemen
 /// "Vertex 12 · Car body", or what the view shows.
 std::string title_of(const PanelContext& context, const std::optional<ElementRef>& element) {
   const Language& tr = context.tr;
-  if (!element) return tr(context.editor.title());
+  if (!element) return context.editor.title();
   const Object* object = context.editor.document().find(element->object);
   const std::string name = object ? object->name : std::string();
   if (context.editor.mode == ElementMode::object || element->element.kind == Element::Kind::none) return name;

@@ -132,7 +132,8 @@ enum CurveNumber : std::size_t {
   turning_number,
   offset_number,
   begin_number,
-  direction_number
+  direction_number,
+  copies_number
 };
 
 bool is_set(std::span<const OperationNumber> numbers, CurveNumber number) {
@@ -146,26 +147,46 @@ Vector3 middle_of_objects(const Document& document, std::span<const ObjectId> ob
   return box.isEmpty() ? Vector3(Vector3::Zero()) : Vector3(box.center());
 }
 
+/// What is asked for beside the objects and the curve.
+struct AlongCurve {
+  CurveLayout layout;
+  bool onto_curve = false, backward = false;
+};
+
+Result<ArcLengthCurve> curve_to_follow(const ObjectCurve& curve, bool backward) {
+  return ArcLengthCurve::make(backward ? run_backward(curve.pieces) : curve.pieces, curve.closed);
+}
+
+CurveLayout layout_of(const Document& document, const std::vector<ObjectId>& objects, AlongCurve wanted) {
+  if (wanted.onto_curve) wanted.layout.carried = middle_of_objects(document, objects);
+  return wanted.layout;
+}
+
 Result<AddedObjects> arrayed_along(const Document& document, const std::vector<ObjectId>& objects,
-                                   const ObjectCurve& curve, CurveLayout layout, bool onto_curve,
-                                   bool backward) {
-  const auto made = ArcLengthCurve::make(backward ? run_backward(curve.pieces) : curve.pieces, curve.closed);
+                                   const ObjectCurve& curve, const AlongCurve& wanted) {
+  const auto made = curve_to_follow(curve, wanted.backward);
   if (!made) return made.error();
-  if (onto_curve) layout.carried = middle_of_objects(document, objects);
-  return array_along_curve(document, objects, *made, layout);
+  return array_along_curve(document, objects, *made, layout_of(document, objects, wanted));
+}
+
+Result<Document> live_along(const Document& document, const std::vector<ObjectId>& objects,
+                            const ObjectCurve& curve, const AlongCurve& wanted) {
+  const auto made = curve_to_follow(curve, wanted.backward);
+  if (!made) return made.error();
+  return live_copies_along_curve(document, objects, *made, layout_of(document, objects, wanted));
 }
 
 MakeOperation make_along(std::vector<ObjectId> objects, ObjectCurve found) {
   const auto curve = std::make_shared<const ObjectCurve>(std::move(found));
   return [objects = std::move(objects), curve](const Document& document, std::span<const OperationNumber> n) {
-    CurveLayout layout;
-    layout.count = int(n[count_number].value);
-    if (is_set(n, places_number)) layout.spacing = n[spacing_number].value;
-    layout.turning = CurveTurning(int(n[turning_number].value));
-    layout.offset = n[offset_number].value;
-    return all_chosen(arrayed_along(document, objects, *curve, layout, is_set(n, begin_number),
-                                    is_set(n, direction_number)),
-                      objects);
+    AlongCurve wanted{{}, is_set(n, begin_number), is_set(n, direction_number)};
+    wanted.layout.count = int(n[count_number].value);
+    if (is_set(n, places_number)) wanted.layout.spacing = n[spacing_number].value;
+    wanted.layout.turning = CurveTurning(int(n[turning_number].value));
+    wanted.layout.offset = n[offset_number].value;
+    if (is_set(n, copies_number))
+      return chosen_with_live_copies(live_along(document, objects, *curve, wanted), objects);
+    return all_chosen(arrayed_along(document, objects, *curve, wanted), objects);
   };
 }
 
@@ -195,7 +216,8 @@ WriteOperation written_along(const Editor&) {
                                   : written("count", n[count_number].value),
          written("turning", std::string(turning_words[std::size_t(n[turning_number].value)])),
          written("offset", n[offset_number].value), written_switch("on_curve", is_set(n, begin_number)),
-         written_switch("backward", is_set(n, direction_number))}}};
+         written_switch("backward", is_set(n, direction_number)),
+         written_switch("live", is_set(n, copies_number))}}};
   };
 }
 
@@ -230,7 +252,8 @@ std::vector<OperationNumber> numbers_along(const ArcLengthCurve& curve, const Ve
           curve_choice_number("array_begin", translatable("First place"),
                               {translatable("As it stands"), translatable("On the curve")}, 0),
           curve_choice_number("array_direction", translatable("Direction"),
-                              {translatable("Forward"), translatable("Backward")}, nearer_to_end ? 1 : 0)};
+                              {translatable("Forward"), translatable("Backward")}, nearer_to_end ? 1 : 0),
+          kind_of_copies()};
 }
 
 void make_along_curve(Editor& editor) {
@@ -253,17 +276,17 @@ void make_along_as_written(Editor& editor, const Arguments& given) {
   if (!choice) return editor.notify(choice.error());
   const auto curve = curve_of_choice(editor, *choice);
   if (!curve) return editor.notify(curve.error());
-  CurveLayout layout;
-  if (given.has("count")) layout.count = given.whole("count");
-  if (given.has("spacing")) layout.spacing = given.number("spacing");
-  layout.turning =
+  AlongCurve wanted{{}, given.on("on_curve"), given.on("backward")};
+  if (given.has("count")) wanted.layout.count = given.whole("count");
+  if (given.has("spacing")) wanted.layout.spacing = given.number("spacing");
+  wanted.layout.turning =
       CurveTurning(std::find(std::begin(turning_words), std::end(turning_words), given.text("turning")) -
                    std::begin(turning_words));
-  layout.offset = given.number("offset");
-  make_copies(editor,
-              arrayed_along(editor.history.current(), choice->copied, *curve, layout, given.on("on_curve"),
-                            given.on("backward")),
-              choice->copied, along_step);
+  wanted.layout.offset = given.number("offset");
+  const Document& document = editor.history.current();
+  if (given.on("live"))
+    return make_live_copies(editor, live_along(document, choice->copied, *curve, wanted), along_step);
+  make_copies(editor, arrayed_along(document, choice->copied, *curve, wanted), choice->copied, along_step);
 }
 
 ScriptUse along_in_scripts(Editor& editor) {
@@ -275,7 +298,8 @@ ScriptUse along_in_scripts(Editor& editor) {
                     turning_words[0]),
       length_argument("offset", translatable("Offset"), 0),
       on_off_argument("on_curve", translatable("On the curve"), false),
-      on_off_argument("backward", translatable("Backward"), false)};
+      on_off_argument("backward", translatable("Backward"), false),
+      live_copies_argument()};
   use.run = [&editor](const Arguments& given) { make_along_as_written(editor, given); };
   use.looks_at_surfaces = true;
   return use;

@@ -221,7 +221,9 @@ void add_file_commands(CommandHost& host, Workbench& workbench) {
   table.add({.id = "file.cancel_job",
              .menu = "File",
              .label = "Cancel work on files",
-             .help = "Stop the import, export or picture in progress; files stay as they were.",
+             .help =
+                 "Stop the import, export, picture or long edit in progress; files and model stay as they "
+                 "were.",
              .run = [&editor] { editor.cancellable_job()->cancel.cancel(); },
              .why_not = only_if([&editor] { return editor.cancellable_job() != nullptr; },
                                 "Nothing that can be cancelled is in progress.")});

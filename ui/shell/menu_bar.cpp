@@ -129,7 +129,7 @@ float search_field(PanelContext& context, bool whole) {
 std::string title_of_document(const PanelContext& context) {
   const Editor& editor = context.editor;
   if (!editor.has_document) return {};
-  std::string title = context.tr(editor.title());
+  std::string title = editor.title();
   if (editor.read_only) title += std::string("  \u2022  ") + context.tr("read-only");
   if (editor.history.dirty()) title += std::string("  \u2022  ") + context.tr("edited");
   return title;

@@ -13,6 +13,7 @@
 #include "ui/base/text_lines.hpp"
 #include "ui/shell/navigation_rows.hpp"
 #include "ui/widgets/enum_labels.hpp"
+#include "ui/widgets/number_slider.hpp"
 #include "ui/widgets/tips.hpp"
 
 namespace hariko {
@@ -114,17 +115,11 @@ class PreferenceFields {
     const PreferenceRow* row = begin(member);
     if (!row) return;
     const double low = std::max(least, row->low), high = std::min(most, row->high);
-    const float number = ImGui::CalcTextSize("3600 s").x + ImGui::GetStyle().ItemSpacing.x;
-    ImGui::SetNextItemWidth(std::min(context_.metrics.px(220), ImGui::GetContentRegionAvail().x - number));
-    float shown = static_cast<float>(value);
-    // The number stands beside: the handle would hide it.
-    if (ImGui::SliderFloat(
-            (std::string("###") + member).c_str(), &shown, static_cast<float>(low), static_cast<float>(high),
-            "", ImGuiSliderFlags_AlwaysClamp | (row->logarithmic ? ImGuiSliderFlags_Logarithmic : 0)))
-      value = static_cast<double>(shown);
+    ImGuiSliderFlags flags = ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoRoundToFormat;
+    if (row->logarithmic) flags |= ImGuiSliderFlags_Logarithmic;
+    number_slider((std::string("###") + member).c_str(), {low, high, row->format, flags}, value,
+                  std::min(context_.metrics.px(270), ImGui::GetContentRegionAvail().x));
     context_.marks.item(std::string("preferences.") + member);
-    ImGui::SameLine();
-    ImGui::Text(row->format, value);
     note(row->note);
   }
 

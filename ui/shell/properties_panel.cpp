@@ -18,6 +18,7 @@
 #include "ui/pictures/picture_rows.hpp"
 #include "ui/polyhedron/element_rows.hpp"
 #include "ui/polyhedron/patch_rows.hpp"
+#include "ui/shell/copies_rows.hpp"
 #include "ui/shell/message_list.hpp"
 #include "ui/skin/skin_properties.hpp"
 #include "ui/solids/solids_properties.hpp"
@@ -255,15 +256,13 @@ Result<Document> edit_preparations(const Document& document, const Objects& obje
   return result;
 }
 
-/// Mode PAPER does not know it.
 void frames_row(PanelContext& context, const Objects& objects) {
   Objects shaped;
   for (const auto& object : objects)
-    if (const PolyhedronSource* source = object->polyhedron())
-      if (source->mode != Mode::paper) shaped.push_back(object);
+    if (surface_frames(object->source)) shaped.push_back(object);
   if (shaped.empty()) return;
-  const auto metric =
-      common<bool>(shaped, [](const auto& object) { return object->polyhedron()->frames == Frames::metric; });
+  const auto metric = common<bool>(
+      shaped, [](const auto& object) { return surface_frames(object->source) == Frames::metric; });
   const auto on =
       check_row(context, "frames", "By measure",
                 "Angles and lengths of the polyhedron count: uneven cages give even surfaces", metric);
@@ -319,6 +318,7 @@ void object_section(PanelContext& context, const Objects& objects) {
   size_rows(context, objects);
   if (std::any_of(objects.begin(), objects.end(), [](const auto& object) { return object->locked; }))
     hint_text(context, "Locked: unlock it in the list above to change it.");
+  copies_rows(context, objects);
   mode_row(context, objects);
   frames_row(context, objects);
   mirror_row(context, objects);

@@ -23,6 +23,9 @@ bool any_object(const Object&) {
 bool is_polyhedron(const Object& object) {
   return object.polyhedron() != nullptr;
 }
+bool has_frames(const Object& object) {
+  return surface_frames(object.source).has_value();
+}
 bool is_solids(const Object& object) {
   return object.solids() != nullptr;
 }
@@ -63,7 +66,7 @@ constexpr std::array rows{
     Row{"mode", translatable("Surface"), translatable("How the surface spans the curves"), is_polyhedron},
     Row{"frames", translatable("By measure"),
         translatable("Angles and lengths of the polyhedron count: uneven cages give even surfaces"),
-        is_polyhedron},
+        has_frames},
     Row{"mirror", translatable("Mirror"),
         translatable("Model one half; its image completes the object at once."), is_polyhedron},
     Row{"split_concave", translatable("Convex faces"),
@@ -147,9 +150,10 @@ constexpr const char* properties = translatable("Properties");
 
 std::string menu_of(Has has) {
   if (has == any_object) return properties;
-  const char* kind = has == is_polyhedron ? translatable("Polyhedron")
-                     : has == is_solids   ? translatable("Solids")
-                                          : translatable("Skin");
+  const bool shaped = has == is_polyhedron || has == has_frames;
+  const char* kind = shaped             ? translatable("Polyhedron")
+                     : has == is_solids ? translatable("Solids")
+                                        : translatable("Skin");
   return std::string(properties) + "/" + kind;
 }
 

@@ -263,12 +263,16 @@ void add_polyhedra(PropertyScripts& scripts) {
         return set_mode(document, object.id, chosen_of<Mode>(given));
       },
       [](const PolyhedronSource& now) { return word_now(now.mode); });
-  scripts.polyhedra(
-      "frames", on_or_off(), "Surface by measure",
-      [](const Document& document, const Object& object, const Arguments& given) {
+  scripts.add(
+      "frames", {on_or_off()}, "Surface by measure",
+      [](const Document& document, const Object& object, const Arguments& given) -> Result<Document> {
+        if (!stored_frames(object.source)) return document;
         return set_frames(document, object.id, given.on("on") ? Frames::metric : Frames::equal);
       },
-      [](const PolyhedronSource& now) { return on_now(now.frames == Frames::metric); });
+      [](const Object& object) {
+        const auto now = stored_frames(object.source);
+        return now ? on_now(*now == Frames::metric) : WrittenArguments();
+      });
   scripts.polyhedra("split_concave", on_or_off(), "Split concave faces",
                     preparing([](Preparation& preparation, const Arguments& given) {
                       preparation.split_concave = given.on("on");

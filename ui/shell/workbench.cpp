@@ -385,7 +385,7 @@ void Workbench::guarded(std::function<void()> action) {
   if (!editor_.has_document || !editor_.history.dirty()) return action();
   const Language& tr = editor_.language;
   ask({tr("Unsaved changes"),
-       fill(tr("{0} has changes that are not saved."), {tr(editor_.title())}),
+       fill(tr("{0} has changes that are not saved."), {editor_.title()}),
        {{tr("Save"), "save", [this, action] { save([this, action] { guarded(action); }); }},
         {tr("Discard"), "discard", action},
         {tr("Cancel"), "cancel", {}}}});

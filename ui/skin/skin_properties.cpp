@@ -110,7 +110,7 @@ class Rows {
              if (chosen > 0) skin.mirror = mirror_plane(skin, chosen - 1);
            });
     if (!skin_.mirror) return;
-    const Box3 box = world_box(object);
+    const Box3 box = box_at_own_place(object);
     const Quantity quantity =
         length_quantity(context_.editor.document().unit, box.isEmpty() ? 1 : box.sizes().maxCoeff());
     value_row(context_,

@@ -183,6 +183,7 @@ class RegionTool final : public Tool {
     const Object* object = editor.document().find(id);
     if (!object || (editor.view.surfaces_only && editor.mode != ElementMode::object)) return;
     const bool whole = editor.mode == ElementMode::object;
+    if (shown.copy && !whole) return;  // elements are those at the own place
     if (object->skin() && !whole && object != shown_skin(editor)) return;  // its points are not shown
     if (object->skin())
       shown.polyhedron = whole ? curves_of(*object->skin()->skin) : points_of(editor, *object);

@@ -130,7 +130,7 @@ void add_view_saving(CommandHost& host) {
                   .help = "Keep what this view shows under a name, in the document.",
                   .keys = "Ctrl+Alt+V",
                   .changes_document = true,
-                  .run = [&editor] { save_view(editor, next_view_name(editor.document())); },
+                  .run = [&editor] { save_view(editor, name_for_new_view(editor)); },
                   .why_not = document,
                   .script = {.arguments = view_arguments(),
                              .run = [&editor](const Arguments& given) { save_by_script(editor, given); }}});

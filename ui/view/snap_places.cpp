@@ -59,7 +59,7 @@ SnapPlaces::SnapPlaces(const ToolContext& context, const SnapSettings& kinds) {
   const Scene& scene = context.scene.scene();
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
     const Object* object = document.find(context.scene.object_id(i));
-    if (!object || !object->visible) continue;
+    if (!object || !object->visible || scene.objects[i].copy) continue;
     if (object->cage()) add_cage(context, i, *object, kinds);
     if (object->solids()) add_solids(context, i, *object, kinds);
     if (object->skin()) add_skin(*object, kinds);

@@ -265,10 +265,12 @@ void SnapPlaces::look_on_surfaces(const ToolContext& context, const SnapGesture&
   if (!object) return;
   Vector3 point = hit->point;
   const SurfaceView* view = context.editor.view_of(object->id);
-  if (view && view->mesh == scene.objects[hit->object].mesh && hit->patch < view->surface.patch_count())
-    point = object->transform.apply(
-        view->surface.origin() +
-        view->surface.patches().evaluate(hit->patch, hit->parameter, Order::first).position);
+  const SceneObject& standing_there = scene.objects[hit->object];
+  if (view && view->mesh == standing_there.mesh && hit->patch < view->surface.patch_count()) {
+    const Vector3 local = view->surface.origin() +
+                          view->surface.patches().evaluate(hit->patch, hit->parameter, Order::first).position;
+    point = standing_there.copy ? standing_there.to_world(local, {}) : object->transform.apply(local);
+  }
   search.best = SnapTarget{SnapTarget::Kind::surface, point, object->id};
 }
 

@@ -22,7 +22,7 @@ std::vector<PickHit> pick_elements(const ToolContext& context, const Vector2& pi
   auto hits = pick_all(scene, context.projector(), pixel, options);
   // Thin objects are hard to hit by their faces.
   if (hits.empty() && editor.mode == ElementMode::object) {
-    options.edges = true;
+    options.edges = options.copies = true;
     options.use_surface = false;
     hits = pick_all(scene, context.projector(), pixel, options);
   }
@@ -40,7 +40,7 @@ std::vector<ElementRef> solids_under(const ToolContext& context, const Vector2& 
   std::vector<ElementRef> refs;  ///< one an object of the scene of solids
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
     const Object* object = context.editor.document().find(context.scene.object_id(i));
-    if (!object || !object->solids() || !scene.objects[i].show_polyhedron) continue;
+    if (!object || !object->solids() || !scene.objects[i].show_polyhedron || scene.objects[i].copy) continue;
     // One by one, as of the faces of one object only the first is found.
     for (const Solid& solid : object->solids()->input->solids) {
       solids.objects.push_back(scene.objects[i]);
@@ -81,7 +81,8 @@ std::vector<ElementRef> elements_under(const ToolContext& context, const Vector2
     const ObjectId id = context.scene.object_id(hit.object);
     ElementRef ref{id, element_of(id)};
     if (editor.mode != ElementMode::object) {
-      if (hit.index == no_index) continue;
+      // Elements are those at the object's own place.
+      if (hit.index == no_index || context.scene.scene().objects[hit.object].copy) continue;
       ref = element_at(editor.document(), id, hit.kind, hit.index);
       if (ref.element.kind == Element::Kind::none) continue;
     }

@@ -8,6 +8,7 @@
 #include "ui/editor/saved_views.hpp"
 #include "ui/view/rename_view.hpp"
 #include "ui/widgets/command_menu.hpp"
+#include "ui/widgets/number_slider.hpp"
 #include "ui/widgets/overlay_window.hpp"
 
 namespace hariko {
@@ -98,22 +99,21 @@ void saved_view_list(PanelContext& context) {
 
 void lens_slider(PanelContext& context) {
   View& view = context.editor.layout.active_view();
-  const double own = focal_length_of(view.goal().field_of_view);
-  auto shown = static_cast<float>(own);
+  double shown = focal_length_of(view.goal().field_of_view);
   ImGui::TextUnformatted(context.tr("Focal length"));
   ImGui::SameLine(context.metrics.px(118));
-  ImGui::SetNextItemWidth(context.metrics.px(views_row_width - 140));
-  const bool changed = ImGui::SliderFloat("###focal", &shown, float(SavedView::least_focal_length),
-                                          float(SavedView::greatest_focal_length), "%.0f",
-                                          ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_Logarithmic);
+  const std::string format = "%.0f " + std::string(to_string(Unit::millimetre));
+  const bool changed =
+      number_slider("###focal",
+                    {SavedView::least_focal_length, SavedView::greatest_focal_length, format.c_str(),
+                     ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_Logarithmic},
+                    shown, context.metrics.px(views_row_width - 88));
   context.marks.item("views.focal_length");
   if (ImGui::IsItemActivated()) view.remember();
   if (ImGui::IsItemHovered())
     ImGui::SetTooltip(
         "%s", context.tr("Millimetres, as on film of 36 x 24 mm; the model keeps its size in the view"));
-  ImGui::SameLine();
-  ImGui::TextUnformatted(std::string(to_string(Unit::millimetre)).c_str());
-  if (changed) view.set(view.goal().with_focal_length(double(shown)));
+  if (changed) view.set(view.goal().with_focal_length(shown));
 }
 
 void views_command_row(PanelContext& context, const char* id) {

@@ -18,7 +18,7 @@ void ConstructionCommandLine::add_to(CLI::App& command) {
       ->check(CLI::IsMember(enum_word_list<Mode>()));
   command
       .add_option("--frames", frames_,
-                  "Whether angles and lengths of the polyhedra count in modes target, fair and g2")
+                  "Whether angles and lengths of polyhedra and outlines count in modes target, fair and g2")
       ->check(CLI::IsMember(enum_word_list<Frames>()));
   command
       .add_option("--merge-coplanar", merge_coplanar_,

@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "app/commands/command_line/distinct_files.hpp"
+#include "app/commands/command_line/positive_number.hpp"
 #include "core/base/files/file_ending.hpp"
 #include "core/cad/kernel/cad_file.hpp"
 #include "core/exchange/mesh_file.hpp"
@@ -28,7 +29,7 @@ void ExportCommandLine::add_to(CLI::App& app) {
           ->add_option("--tolerance", arguments_.cad.tolerance,
                        "Of STEP and IGES: between the surface and faces that cannot be exact, in the "
                        "document's unit; as --quality says otherwise")
-          ->check(CLI::PositiveNumber),
+          ->check(positive_number()),
       command_
           ->add_option(
               "--angle", angle_,

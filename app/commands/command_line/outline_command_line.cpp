@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "app/commands/command_line/positive_number.hpp"
 #include "core/document/words.hpp"
 
 namespace hariko {
@@ -23,7 +24,7 @@ void OutlineCommandLine::add_to(CLI::App& command) {
   command
       .add_option("--gap", gap_,
                   "Largest distance between control points and tangent planes, in the document's unit")
-      ->check(CLI::PositiveNumber)
+      ->check(positive_number())
       ->group(group);
 }
 

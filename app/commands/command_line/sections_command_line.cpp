@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "app/commands/command_line/distinct_files.hpp"
+#include "app/commands/command_line/positive_number.hpp"
 #include "core/base/files/file_ending.hpp"
 
 namespace hariko {
@@ -47,7 +48,7 @@ void SectionsCommandLine::add_to(CLI::App& app) {
   command_
       ->add_option("--step", arguments_.spacing,
                    "From plane to plane, in the document's unit; without it they are spread over the model")
-      ->check(CLI::PositiveNumber);
+      ->check(positive_number());
   command_->add_option("--combs", combs_, "Whether combs are written")
       ->check(CLI::IsMember({"on", "off"}))
       ->capture_default_str();

@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <limits>
 
+#include "app/commands/command_line/positive_number.hpp"
 #include "core/document/words.hpp"
 
 namespace hariko {
@@ -15,10 +16,10 @@ void SolidsCommandLine::add_to(CLI::App& command) {
   command
       .add_option("--ball-radius", ball_radius_,
                   "Of the ball that rolls over the solids, in the document's unit, or hull")
-      ->check(CLI::IsMember({"hull"}) | CLI::PositiveNumber)
+      ->check(CLI::IsMember({"hull"}) | positive_number())
       ->group(group);
   command.add_option("--rounding", rounding_, "Length; edges get a radius of 1.5 times this")
-      ->check(CLI::PositiveNumber)
+      ->check(positive_number())
       ->group(group);
   command
       .add_option("--on-faces", on_faces_,
@@ -29,7 +30,7 @@ void SolidsCommandLine::add_to(CLI::App& command) {
       ->check(CLI::IsMember({"on", "off"}))
       ->group(group);
   command.add_option("--bridge-radius", bridge_radius_, "Of the ball between solids that a bridge joins")
-      ->check(CLI::PositiveNumber)
+      ->check(positive_number())
       ->group(group);
 }
 

@@ -12,8 +12,8 @@
 
 #include "app/commands/commands.hpp"
 #include "app/commands/console.hpp"
+#include "app/files/content_ending.hpp"
 #include "core/base/files/file_io.hpp"
-#include "core/exchange/mesh_file.hpp"
 
 namespace hariko {
 
@@ -25,34 +25,6 @@ const std::vector<std::string> read_formats{"hariko", "obj", "off",  "ply",  "st
                                             "3mf",    "bpt", "json", "step", "stp", "iges", "igs"};
 const std::vector<std::string> written_formats{"obj", "off",  "ply", "stl", "3mf", "glb", "gltf", "step",
                                                "stp", "iges", "igs", "png", "svg", "pdf", "dxf",  "json"};
-
-/// File ending for these bytes; nothing where they do not tell the format.
-std::optional<std::string> ending_of(std::string_view bytes) {
-  if (const auto mesh = format_of_content(bytes)) {
-    switch (*mesh) {
-      case MeshFormat::obj:
-        return "obj";
-      case MeshFormat::off:
-        return "off";
-      case MeshFormat::ply:
-        return "ply";
-      case MeshFormat::stl:
-        return "stl";
-      case MeshFormat::gltf:
-        return "glb";
-      case MeshFormat::three_mf:
-        return "3mf";
-    }
-  }
-  const std::size_t begin = bytes.find_first_not_of(" \t\r\n");
-  if (begin != std::string_view::npos && bytes[begin] == '{')
-    return bytes.find("\"asset\"") != std::string_view::npos    ? "gltf"
-           : bytes.find("\"hariko\"") != std::string_view::npos ? "hariko"
-                                                                : "json";
-  if (bytes.substr(0, 4096).find("ISO-10303-21") != std::string_view::npos) return "step";
-  if (bytes.size() > 73 && bytes[72] == 'S') return "iges";
-  return {};
-}
 
 std::string read_all_input() {
   std::string out;
@@ -128,7 +100,7 @@ std::string StandardStreams::keep_input(const std::string& name, const std::stri
     throw CLI::ValidationError(name, "only one file can come from the standard input");
   if (!in_.empty()) return in_.string();
   const std::string bytes = read_all_input();
-  const auto ending = format.empty() ? ending_of(bytes) : std::optional(format);
+  const auto ending = format.empty() ? ending_of_content(bytes) : std::optional(format);
   if (!ending)
     throw CLI::ValidationError(name, name == "FILE"
                                          ? "the standard input does not tell its format; say it with --from"

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "app/commands/command_line/positive_number.hpp"
 #include "app/files/sheet_file.hpp"
 #include "core/document/words.hpp"
 
@@ -43,10 +44,9 @@ void UnfoldCommandLine::add_to(CLI::App& app) {
   command_->add_option("OUT", outs_, "Files to write: *.pdf, *.svg, *.dxf, *.png, *.json")->required();
   command_->add_option("--page", page_, "A4, A3, Letter, or WxH in mm")->capture_default_str();
   command_->add_option("--margin", settings.margin, "Round each page, mm")->capture_default_str();
-  auto* height =
-      command_->add_option("--height", height_, "Of the model (z), mm")->check(CLI::PositiveNumber);
-  auto* width = command_->add_option("--width", width_, "Of the model (x), mm")->check(CLI::PositiveNumber);
-  auto* depth = command_->add_option("--depth", depth_, "Of the model (y), mm")->check(CLI::PositiveNumber);
+  auto* height = command_->add_option("--height", height_, "Of the model (z), mm")->check(positive_number());
+  auto* width = command_->add_option("--width", width_, "Of the model (x), mm")->check(positive_number());
+  auto* depth = command_->add_option("--depth", depth_, "Of the model (y), mm")->check(positive_number());
   height->excludes(width)->excludes(depth);
   width->excludes(depth);
   command_
@@ -79,7 +79,7 @@ void UnfoldCommandLine::add_to(CLI::App& app) {
   command_
       ->add_option("--distance", distance_,
                    "Largest distance between a document's surfaces and the facets (1 % of the size)")
-      ->check(CLI::PositiveNumber);
+      ->check(positive_number());
   command_->add_option("--normal", normal_degrees_, "Largest angle between their normals, degrees")
       ->check(CLI::Range(0.0, 90.0));
   command_->add_flag("--optimise", arguments_.facets.optimise, "As few facets as can be found: takes long");

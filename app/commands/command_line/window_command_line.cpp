@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "app/commands/command_line/positive_number.hpp"
 #include "app/commands/commands.hpp"
 
 namespace hariko {
@@ -14,11 +15,11 @@ void WindowCommandLine::add_to(CLI::App& app) {
   };
   add(app.add_option("FILE", options_.files, "Documents, meshes or CAD files to open in the window"));
   add(app.add_option("--width", options_.width, "Of the window, in the screen's coordinates"))
-      ->check(CLI::PositiveNumber)
+      ->check(positive_number())
       ->group(group)
       ->capture_default_str();
   add(app.add_option("--height", options_.height, "Of the window"))
-      ->check(CLI::PositiveNumber)
+      ->check(positive_number())
       ->group(group)
       ->capture_default_str();
   add(app.add_option("--scale", options_.scale, "Of the interface instead of the monitor's, 0.5 to 4"))

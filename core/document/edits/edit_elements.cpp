@@ -269,9 +269,15 @@ Result<Document> set_mode(const Document& document, ObjectId object, Mode mode) 
   });
 }
 
-Result<Document> set_frames(const Document& document, ObjectId object, Frames frames) {
-  return change_polyhedron(document, object, [&](PolyhedronSource& source) -> Result<Done> {
-    source.frames = frames;
+Result<Document> set_frames(const Document& document, ObjectId id, Frames frames) {
+  return detail::change_object(document, id, true, [&](Object& object) -> Result<Done> {
+    if (auto* polyhedron = std::get_if<PolyhedronSource>(&object.source))
+      polyhedron->frames = frames;
+    else if (auto* outline = std::get_if<OutlineSource>(&object.source))
+      outline->settings.frames = frames;
+    else
+      return make_error(e_wrong_kind, "The object \"" + object.name + "\" is no polyhedron and no outline.",
+                        "Select a polyhedron or an outline.", element_of(id));
     return Done{};
   });
 }

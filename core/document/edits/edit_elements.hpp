@@ -65,7 +65,9 @@ Result<Document> clear_pins(const Document& document, ObjectId object, std::span
 
 /// Sets the surface mode.
 Result<Document> set_mode(const Document& document, ObjectId object, Mode mode);
-/// Sets whether angles and lengths of the polyhedron enter the vertex frames (modes TARGET and FAIR).
+/// Sets whether angles and lengths of the polyhedron enter the vertex frames (modes TARGET, FAIR and G2), for
+/// polyhedra and for outlines, where it is the polyhedron of the control points. Errors: E_UNKNOWN_OBJECT,
+/// E_LOCKED, E_WRONG_KIND.
 Result<Document> set_frames(const Document& document, ObjectId object, Frames frames);
 /// Sets the preparation. Errors: E_AUTOMATIC_TENSION_RANGE.
 Result<Document> set_preparation(const Document& document, ObjectId object, const Preparation& preparation);

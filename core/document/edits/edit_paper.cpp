@@ -40,7 +40,7 @@ std::vector<ObjectId> unfoldable_objects(const Document& document) {
 double proposed_distance(const Document& document, std::span<const ObjectId> objects) {
   Eigen::AlignedBox3d box;
   for (const ObjectId id : objects)
-    if (const Object* object = document.find(id)) box.extend(world_box(*object));
+    if (const Object* object = document.find(id)) box.extend(box_at_own_place(*object));
   const double distance = box.isEmpty() ? 0 : 0.01 * box.diagonal().norm();
   if (!(distance > 1e-290) || !std::isfinite(distance))
     return usual_distance / millimetres_per(document.unit);

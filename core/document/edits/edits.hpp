@@ -7,6 +7,7 @@
 // part; everything else is shared with the given document.
 
 #include "core/document/edits/edit_attachments.hpp"
+#include "core/document/edits/edit_copies.hpp"
 #include "core/document/edits/edit_dimensions.hpp"
 #include "core/document/edits/edit_elements.hpp"
 #include "core/document/edits/edit_groups.hpp"

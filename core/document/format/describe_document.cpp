@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/document/edits/edit_copies.hpp"
 #include "core/document/edits/edit_pictures.hpp"
 #include "core/document/format/archive.hpp"
 #include "core/document/format/describe_origin.hpp"
@@ -85,6 +86,7 @@ struct FileObject {
   std::optional<Source> source;
   KeptMembers kept;
   GroupId group = {};
+  LiveCopies copies = {};
 };
 
 /// The own switches of an object: what its groups do follows from them.
@@ -101,6 +103,13 @@ static bool locked_of(const Object& object) {
   return object.locked_itself();
 }
 
+static LiveCopies& copies_of(FileObject& object) {
+  return object.copies;
+}
+static const LiveCopies& copies_of(const Object& object) {
+  return *object.copies;
+}
+
 template <class Archive, class AnyObject>
 void describe_object(Archive& archive, AnyObject& object) {
   archive.lines();
@@ -110,6 +119,7 @@ void describe_object(Archive& archive, AnyObject& object) {
   archive.member("locked", locked_of(object));
   archive.changed("group", object.group, GroupId{}, Whole{0, Group::max_id});
   archive.member("transform", object.transform);
+  archive.list("copies", copies_of(object));
   archive.member("display", object.display);
   archive.required("source", object.source);
   archive.kept(object.kept);
@@ -123,9 +133,12 @@ static void read_value(JsonReader& reader, const JsonCursor& at, std::shared_ptr
   if (reader.failed()) return;
   fold_origin(reader, at, *file.source, file.transform);
   if (reader.failed()) return;
-  object = std::make_shared<const Object>(Object{file.id, std::move(file.name), file.visible, file.locked,
-                                                 file.transform, file.display, *std::move(file.source),
-                                                 std::move(file.kept), file.group});
+  Object made{file.id,      std::move(file.name),    file.visible,         file.locked, file.transform,
+              file.display, *std::move(file.source), std::move(file.kept), file.group};
+  made.copies = std::move(file.copies);
+  if (!made.copies->empty() && !can_have_copies(made))
+    return reader.fail(at, "this kind of object has no live copies");
+  object = std::make_shared<const Object>(std::move(made));
 }
 static void write_value(DocumentText& text, const std::shared_ptr<const Object>& object) {
   WriteArchive archive(text);

@@ -49,6 +49,7 @@ void describe_members(Archive& archive, Described<Archive, OutlineSettings>& set
   auto patches = settings.curvature_continuous ? OutlinePatches::g2 : OutlinePatches::fair;
   archive.member("mode", patches);
   archive.assume(settings.curvature_continuous, patches == OutlinePatches::g2);
+  archive.changed("frames", settings.frames, Frames::equal);
 }
 
 template <class Archive>

@@ -52,6 +52,14 @@ void describe(Archive& archive, Described<Archive, Bridge>& bridge) {
   archive.others_ignored();
 }
 
+template <class Archive>
+void describe(Archive& archive, Described<Archive, Pull>& pull) {
+  archive.line();
+  archive.required("place", pull.place);
+  archive.required("radius", pull.radius);
+  archive.others_ignored();
+}
+
 /// Sizes without meaning for the kind are left out unless they were changed.
 template <class Archive>
 void describe(Archive& archive, Described<Archive, Solid>& solid) {
@@ -76,6 +84,7 @@ void describe(Archive& archive, Described<Archive, Solid>& solid) {
   archive.changed("scale", solid.scale, usual.scale);
   archive.member("roundness", solid.roundness);
   archive.member("bridge", solid.bridge);
+  archive.list("pulls", solid.pulls, First{max_pulls + 1});
   archive.changed("vertices", solid.points, {}, First{max_solid_points + 1});
   archive.others_ignored();
 }

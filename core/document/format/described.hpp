@@ -19,6 +19,10 @@ void write_value(DocumentText& text, const Dimension& dimension);
 void read_value(JsonReader& reader, const JsonCursor& at, Groups& groups);
 void write_value(DocumentText& text, const Group& group);
 
+/// Reads the value of an object's member "copies". Errors: E_COPIES_INVALID.
+void read_value(JsonReader& reader, const JsonCursor& at, LiveCopies& copies);
+void write_value(DocumentText& text, const CopyArray& array);
+
 void read_value(JsonReader& reader, const JsonCursor& at, Colour& colour);
 void write_value(DocumentText& text, const Colour& colour);
 /// Reads the value of the document's member "views".

@@ -65,6 +65,14 @@ std::size_t bytes_of(const Groups& groups) {
   return bytes;
 }
 
+std::size_t bytes_of(const LiveCopies& copies) {
+  std::size_t bytes = block_overhead + copies.capacity() * sizeof(CopyArray);
+  for (const CopyArray& array : copies)
+    if (const auto* list = std::get_if<ListOfCopies>(&array))
+      bytes += block_overhead + list->places.capacity() * sizeof(Similarity);
+  return bytes;
+}
+
 std::size_t bytes_of(const std::vector<BezierPatch>& patches) {
   std::size_t bytes = block_overhead + patches.capacity() * sizeof(BezierPatch);
   for (const BezierPatch& patch : patches)
@@ -157,7 +165,7 @@ struct BlockVisitor {
 template <class Visit>
 void visit_object(const Object& object, const Visit& visit) {
   const BlockVisitor<Visit> blocks{visit};
-  blocks.shared(object.kept);
+  blocks.shared(object.kept, object.copies);
   std::visit(blocks, object.source);
 }
 

@@ -123,7 +123,7 @@ BorderFill border_fill(OutlineLoop loop) {
   const bool all_positive = std::all_of(values.begin(), values.end(), [](double value) { return value > 0; });
   const bool all_negative =
       known && std::all_of(values.begin(), values.end(), [](double value) { return value < 0; });
-  BorderFill out{{{std::move(loop)}}, {}};
+  BorderFill out{{{std::move(loop)}}, new_outline_settings()};
   Outline bare = out.outline;
   bare.loops[0].curvature.clear();
   const std::vector<Message> messages = check_outline(bare, GaussMode::umbilic, CurvatureSign::positive);

@@ -14,8 +14,14 @@ GaussOptions gauss_options(const OutlineSettings& settings) {
   return out;
 }
 
-OutlineSettings usual_settings(const Outline& outline) {
+OutlineSettings new_outline_settings() {
   OutlineSettings out;
+  out.frames = Frames::metric;
+  return out;
+}
+
+OutlineSettings usual_settings(const Outline& outline) {
+  OutlineSettings out = new_outline_settings();
   out.sign = curvature_sign(outline, CurvatureSign::positive);
   if (outline.has_curvature() && out.sign == CurvatureSign::positive) out.mode = GaussMode::curvature;
   return out;

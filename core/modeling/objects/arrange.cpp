@@ -65,6 +65,12 @@ std::vector<Eigen::Quaterniond> turns_along(std::span<const ArcLengthCurve::Plac
   return out;
 }
 
+std::vector<ArcLengthCurve::Place> places_along(const ArcLengthCurve& curve, std::span<const double> ways) {
+  std::vector<ArcLengthCurve::Place> out;
+  for (const double way : ways) out.push_back(curve.at(way));
+  return out;
+}
+
 /// Moves objects of a document, which must be there, by the same way.
 Result<Document> moved_all(const Document& document, std::span<const ObjectId> objects, const Vector3& way) {
   Document out = document;
@@ -111,6 +117,10 @@ Result<Object> image_of(const Object& object, const MirrorPlane& plane) {
   const auto placed = detail::checked_transform(image.transform);
   if (!placed) return placed.error();
   image.transform = *placed;
+  // The source is reflected, and what stands at its places goes along.
+  Matrix3 reflection = Matrix3::Identity();
+  reflection(index_of(own), index_of(own)) = -1;
+  image.copies = mapped(*object.copies, reflection);
   return image;
 }
 
@@ -165,13 +175,18 @@ double place_of_side(const Eigen::AlignedBox3d& box, Axis axis, BoxSide side) {
 
 }  // namespace
 
-Result<AddedObjects> array_in_row(const Document& document, std::span<const ObjectId> objects, int count,
-                                  const Vector3& step) {
-  if (objects.empty()) return nothing_to_arrange();
+Result<CopyArray> row_of_copies(int count, const Vector3& step) {
   if (count < least_places || count > most_places) return wrong_count(count);
   if (!step.allFinite() || step.isZero(0))
     return make_error(e_array_step, "The copies would lie on each other.",
                       "Use a step that is not zero along all axes.");
+  return CopyArray(RowOfCopies{count, step});
+}
+
+Result<AddedObjects> array_in_row(const Document& document, std::span<const ObjectId> objects, int count,
+                                  const Vector3& step) {
+  if (objects.empty()) return nothing_to_arrange();
+  if (const auto row = row_of_copies(count, step); !row) return row.error();
   return duplicate_objects(document, objects, static_cast<std::size_t>(count - 1),
                            [&](const Object& copy, std::size_t number) {
                              Transformation move;
@@ -180,9 +195,7 @@ Result<AddedObjects> array_in_row(const Document& document, std::span<const Obje
                            });
 }
 
-Result<AddedObjects> array_around_axis(const Document& document, std::span<const ObjectId> objects, int count,
-                                       const RingAxis& axis, double degrees) {
-  if (objects.empty()) return nothing_to_arrange();
+Result<CopyArray> ring_of_copies(int count, const RingAxis& axis, double degrees) {
   if (count < least_places || count > most_places) return wrong_count(count);
   const double length = axis.direction.stableNorm();
   if (!(length > 0) || !std::isfinite(length) || !axis.point.allFinite())
@@ -190,12 +203,20 @@ Result<AddedObjects> array_around_axis(const Document& document, std::span<const
   if (degrees == 0 || !(std::abs(degrees) <= full_turn))
     return make_error(e_array_angle, "The copies cannot be turned by this angle.",
                       "Use an angle from -360 to 360 degrees that is not zero.");
+  return CopyArray(RingOfCopies{count, axis.point, axis.direction / length, degrees});
+}
+
+Result<AddedObjects> array_around_axis(const Document& document, std::span<const ObjectId> objects, int count,
+                                       const RingAxis& axis, double degrees) {
+  if (objects.empty()) return nothing_to_arrange();
+  if (const auto ring = ring_of_copies(count, axis, degrees); !ring) return ring.error();
+  const Vector3 direction = axis.direction / axis.direction.stableNorm();
   const bool closed = std::abs(degrees) == full_turn;
   const double parts = closed ? count : count - 1;
   return duplicate_objects(document, objects, static_cast<std::size_t>(count - 1),
                            [&](const Object& copy, std::size_t number) {
                              Transformation turn;
-                             turn.axis = axis.direction / length;
+                             turn.axis = direction;
                              turn.degrees = degrees * static_cast<double>(number) / parts;
                              return transformed_alone(copy, turn, axis.point);
                            });
@@ -239,8 +260,7 @@ Result<AddedObjects> array_along_curve(const Document& document, std::span<const
   if (objects.empty()) return nothing_to_arrange();
   const auto ways = ways_along(curve, layout);
   if (!ways) return ways.error();
-  std::vector<ArcLengthCurve::Place> places;
-  for (const double way : *ways) places.push_back(curve.at(way));
+  const std::vector<ArcLengthCurve::Place> places = places_along(curve, *ways);
   const auto turns = turns_along(places, layout.turning);
   const Vector3 pivot = layout.carried.value_or(places[0].position);
   auto added =
@@ -256,6 +276,23 @@ Result<AddedObjects> array_along_curve(const Document& document, std::span<const
   auto moved = moved_all(added->document, objects, places[0].position - pivot);
   if (!moved) return moved.error();
   return AddedObjects{std::move(moved).value(), std::move(added->ids)};
+}
+
+Result<Document> live_copies_along_curve(const Document& document, std::span<const ObjectId> objects,
+                                         const ArcLengthCurve& curve, const CurveLayout& layout) {
+  if (objects.empty()) return nothing_to_arrange();
+  const auto ways = ways_along(curve, layout);
+  if (!ways) return ways.error();
+  const std::vector<ArcLengthCurve::Place> places = places_along(curve, *ways);
+  const auto turns = turns_along(places, layout.turning);
+  const Vector3 first = places[0].position;
+  auto begun =
+      layout.carried ? moved_all(document, objects, first - *layout.carried) : Result<Document>(document);
+  if (!begun) return begun;
+  ListOfCopies list;
+  for (std::size_t k = 1; k < places.size(); ++k)
+    list.places.push_back({turns[k], 1, places[k].position - turns[k] * first});
+  return add_live_copies(*begun, objects, list);
 }
 
 Result<AddedObjects> mirrored_copies(const Document& document, std::span<const ObjectId> objects,

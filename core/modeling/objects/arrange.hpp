@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "core/document/edits/edit_objects.hpp"
+#include "core/document/edits/edit_copies.hpp"
 #include "core/document/object_box.hpp"
 #include "core/geometry/arc_length_curve.hpp"
 #include "core/geometry/mirror_plane.hpp"
@@ -25,9 +25,6 @@ inline constexpr Code e_array_offset{"E_ARRAY_OFFSET"};
 inline constexpr Code e_curve_short{"E_CURVE_SHORT"};
 inline constexpr Code e_no_mirror_image{"E_NO_MIRROR_IMAGE"};
 inline constexpr Code e_object_extent{"E_OBJECT_EXTENT"};
-
-/// Least and largest number of places of a row or a ring, the originals' included.
-inline constexpr int least_places = 2, most_places = 10000;
 
 /// Copies objects so that there are `count` of each, the original at 0, copy k at k times `step` from it. The
 /// copies are made as `duplicate_objects` makes them. Errors: E_NO_OBJECTS, E_ARRAY_COUNT (count outside
@@ -48,6 +45,11 @@ struct RingAxis {
 /// `duplicate_objects`.
 Result<AddedObjects> array_around_axis(const Document& document, std::span<const ObjectId> objects, int count,
                                        const RingAxis& axis, double degrees);
+
+/// The same rows and rings as arrays of live copies in the document's space (`add_live_copies`). Errors:
+/// E_ARRAY_COUNT, E_ARRAY_STEP; E_ARRAY_COUNT, E_ARRAY_AXIS, E_ARRAY_ANGLE.
+Result<CopyArray> row_of_copies(int count, const Vector3& step);
+Result<CopyArray> ring_of_copies(int count, const RingAxis& axis, double degrees);
 
 /// Turning of what stands along a curve: with the rotation-minimising frame, about the vertical with the
 /// direction of the curve seen from above, or not at all.
@@ -78,6 +80,11 @@ Result<std::vector<double>> ways_along(const ArcLengthCurve& curve, const CurveL
 /// `duplicate_objects`.
 Result<AddedObjects> array_along_curve(const Document& document, std::span<const ObjectId> objects,
                                        const ArcLengthCurve& curve, const CurveLayout& layout);
+
+/// The same places as live copies of the objects. Errors: E_NO_OBJECTS, those of `ways_along`, E_LOCKED,
+/// E_TRANSFORM_INVALID, and those of `add_live_copies`.
+Result<Document> live_copies_along_curve(const Document& document, std::span<const ObjectId> objects,
+                                         const ArcLengthCurve& curve, const CurveLayout& layout);
 
 /// Makes one mirror image of each object in a plane of the document's space. Surfaces and facets of the
 /// images are oriented outward. The source is reflected in a plane of its own space (`mirrored_source`), the

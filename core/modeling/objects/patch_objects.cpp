@@ -104,15 +104,16 @@ Result<WeldedPatches> weld_patch_objects(const Document& document, std::span<con
       return make_error(e_wrong_kind, "The object \"" + object->name + "\" is not made of patches.",
                         "Select objects of patches only.", element_of(id));
     if (!base) base = object;
-    const Similarity from = object->transform, to = base->transform.inverse();
+    const Similarity to = base->transform.inverse();
     const Vector3 origin = object->patches() ? object->patches()->origin : object->bezier()->origin;
-    for (BezierPatch& patch : patches_of(*object)) {
-      // Points in the first object's own space; objects with the same placement keep their coordinates
-      // exactly.
-      for (Vector3& point : patch.points)
-        point = from == base->transform ? Vector3(origin + point) : to.apply(from.apply(origin + point));
-      patches.push_back(std::move(patch));
-    }
+    for (const Similarity& from : places_of(*object))
+      for (BezierPatch& patch : patches_of(*object)) {
+        // Points in the first object's own space; objects with the same placement keep their coordinates
+        // exactly.
+        for (Vector3& point : patch.points)
+          point = from == base->transform ? Vector3(origin + point) : to.apply(from.apply(origin + point));
+        patches.push_back(std::move(patch));
+      }
   }
   auto source = BezierSource::from_patches(std::move(patches));
   if (!source) return source.error();

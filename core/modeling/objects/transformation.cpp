@@ -168,9 +168,12 @@ Result<Document> transform_object(const Document& document, ObjectId id, const T
   Transformation factors;
   factors.frame = transformation.frame;
   factors.factors = transformation.factors;
-  const auto source = stretched(*object, factors.in_space_of(place).linear());
+  const Matrix3 linear = factors.in_space_of(place).linear();
+  const auto source = stretched(*object, linear);
   if (!source) return source.error();
-  return set_source(*placed, id, *source);
+  const auto stretched_source = set_source(*placed, id, *source);
+  if (!stretched_source || object->copies->empty()) return stretched_source;
+  return set_copies(*stretched_source, id, mapped(*object->copies, linear));
 }
 
 }  // namespace hariko

@@ -28,8 +28,8 @@ struct Transformation {
 
 /// Transforms a whole object. Its placement takes up what a similarity can; factors that differ or mirror
 /// change the source about the object's own axes, and mirrored polyhedra are reversed so that their faces
-/// stay oriented outward. Errors: E_UNKNOWN_OBJECT, E_LOCKED, E_TRANSFORM_INVALID, E_NONFINITE, E_WRONG_KIND
-/// (a source of unknown kind cannot be stretched).
+/// stay oriented outward; places of live copies go along (`mapped`). Errors: E_UNKNOWN_OBJECT, E_LOCKED,
+/// E_TRANSFORM_INVALID, E_NONFINITE, E_WRONG_KIND (a source of unknown kind cannot be stretched).
 Result<Document> transform_object(const Document& document, ObjectId object,
                                   const Transformation& transformation, const Vector3& pivot);
 

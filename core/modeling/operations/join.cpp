@@ -14,11 +14,6 @@
 namespace hariko {
 namespace {
 
-Similarity after(const Similarity& outer, const Similarity& inner) {
-  return {(outer.rotation * inner.rotation).normalized(), outer.scale * inner.scale,
-          outer.apply(inner.translation)};
-}
-
 Pin transformed(const Pin& pin, const Similarity& by) {
   Pin out = pin;
   for (Vector3& vector : out.vectors)
@@ -93,6 +88,22 @@ Result<EditResult> join(const PolyhedronSource& base, const PolyhedronSource& ad
   return EditResult{std::move(source), std::move(selection)};
 }
 
+namespace {
+
+/// Joins what stands at the places of an object, from the place `first` on, to what is made of the base.
+Result<Done> join_places(EditResult& all, const Object& base, const Object& object,
+                         const PolyhedronSource& source, std::size_t first) {
+  const std::vector<Similarity> places = places_of(object);
+  for (std::size_t k = first; k < places.size(); ++k) {
+    Result<EditResult> next = join(all.source, source, composed(base.transform.inverse(), places[k]));
+    if (!next) return next.error();
+    all = std::move(next).value();
+  }
+  return Done{};
+}
+
+}  // namespace
+
 Result<Document> join_objects(const Document& document, std::span<const ObjectId> objects) {
   std::vector<ObjectId> others;
   for (const ObjectId id : objects)
@@ -104,7 +115,8 @@ Result<Document> join_objects(const Document& document, std::span<const ObjectId
       edit_polyhedron(document, objects[0], [&](const PolyhedronSource& source) -> Result<EditResult> {
         Result<PolyhedronSource> whole = baked(source);
         if (!whole) return whole.error();
-        EditResult all{std::move(whole).value(), {}};
+        EditResult all{*whole, {}};
+        if (auto repeated = join_places(all, *base, *base, *whole, 1); !repeated) return repeated.error();
         for (const ObjectId id : others) {
           const Object* object = document.find(id);
           if (!object) return detail::unknown_object(id);
@@ -112,17 +124,16 @@ Result<Document> join_objects(const Document& document, std::span<const ObjectId
           if (!added)
             return make_error(e_wrong_kind, "The object \"" + object->name + "\" is not a polyhedron.",
                               "Select polyhedra only.", element_of(id));
-          const Similarity to_base = after(base->transform.inverse(), object->transform);
           const Result<PolyhedronSource> added_whole = baked(*added);
           if (!added_whole) return added_whole.error();
-          Result<EditResult> next = join(all.source, *added_whole, to_base);
-          if (!next) return next.error();
-          all = std::move(next).value();
+          if (auto joined_all = join_places(all, *base, *object, *added_whole, 0); !joined_all)
+            return joined_all.error();
         }
         return all;
       });
   if (!joined) return joined.error();
-  return delete_objects(joined->document, others);
+  const auto once = set_copies(joined->document, objects[0], {});
+  return once ? delete_objects(*once, others) : once;
 }
 
 }  // namespace hariko

@@ -16,10 +16,10 @@ namespace hariko {
 Result<EditResult> join(const PolyhedronSource& base, const PolyhedronSource& added,
                         const Similarity& to_base);
 
-/// Joins all given objects into the first one. They stay where they are in the document's space; the others
-/// are removed. Live mirrors are applied first, because their planes would not be those of the joined object.
-/// Errors: E_UNKNOWN_OBJECT, E_LOCKED, E_WRONG_KIND, E_WRONG_SELECTION (fewer than two objects), and those of
-/// `baked` and `join`.
+/// Joins all given objects into the first one. They stay where they are in the document's space, with their
+/// live copies, which become parts; the others are removed. Live mirrors are applied first, because their
+/// planes would not be those of the joined object. Errors: E_UNKNOWN_OBJECT, E_LOCKED, E_WRONG_KIND,
+/// E_WRONG_SELECTION (fewer than two objects), and those of `baked` and `join`.
 Result<Document> join_objects(const Document& document, std::span<const ObjectId> objects);
 
 }  // namespace hariko

@@ -11,10 +11,12 @@ namespace {
 Result<PolyhedronSource> converted(const OutlineSource& source, const CancelToken& cancel) {
   const auto points = control_points(*source.outline, gauss_options(source.settings), cancel);
   if (!points) return points.error();
-  auto made = outline_polyhedron(*points);
+  auto made = outline_polyhedron(*points, source.settings.frames);
   if (!made) return made.error();
   const Mode mode = source.settings.curvature_continuous ? Mode::g2 : Mode::fair;
-  return PolyhedronSource{made->origin, made->polyhedron, made->shaping, mode, {}};
+  PolyhedronSource out{made->origin, made->polyhedron, made->shaping, mode, {}};
+  out.frames = source.settings.frames;
+  return out;
 }
 
 }  // namespace

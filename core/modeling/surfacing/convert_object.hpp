@@ -10,7 +10,7 @@ namespace hariko {
 
 /// Converts an outline into a polyhedron with the same surface: its vertices are the control points, whose
 /// normals are pinned. Vertices 0, 1, 2, ... are the outline's points in their order, then the inserted ones.
-/// Name, placement and display stay; the polyhedron is shown. Errors: E_UNKNOWN_OBJECT, E_LOCKED,
+/// Name, placement, display and frames stay; the polyhedron is shown. Errors: E_UNKNOWN_OBJECT, E_LOCKED,
 /// E_WRONG_KIND, those of `control_points` and `outline_polyhedron`.
 Result<Document> convert_outline(const Document& document, ObjectId object, const CancelToken& cancel = {});
 

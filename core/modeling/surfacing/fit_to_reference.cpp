@@ -320,7 +320,7 @@ Result<std::optional<FitState>> improved_state(ReferenceFitter& fitter, const Fi
 
 Result<ReferenceFit> fit_to_reference(const PolyhedronSource& source, std::span<const VertexId> vertices,
                                       const ReferenceFacets& reference, const FitOptions& options,
-                                      const CancelToken& cancel) {
+                                      const CancelToken& cancel, const Progress& progress) {
   if (options.steps < 1 || options.steps > max_fit_steps)
     return make_error(e_bad_amount, "A fit takes 1 to " + std::to_string(max_fit_steps) + " steps.",
                       "Use a number between these.");
@@ -335,6 +335,7 @@ Result<ReferenceFit> fit_to_reference(const PolyhedronSource& source, std::span<
                       "Move the object to where the reference is.");
   ReferenceFit out{source, state.distance, state.distance, 0};
   while (out.steps < options.steps) {
+    progress.report(double(out.steps + 1) / (options.steps + 1));  // the first surface counts as a step
     auto next = improved_state(fitter, state, *moving, cancel);
     if (!next) return next.error();
     if (!*next) break;

@@ -6,6 +6,7 @@
 #include <span>
 
 #include "core/base/cancellation.hpp"
+#include "core/base/progress.hpp"
 #include "core/base/result.hpp"
 #include "core/document/source.hpp"
 #include "core/modeling/surfacing/reference_facets.hpp"
@@ -43,9 +44,10 @@ struct ReferenceFit {
 /// Attachments to other objects are ignored. The same on any number of threads, and for polyhedron and
 /// reference placed or scaled together up to rounding. Errors: those of `vertices_to_move` and of the
 /// surface, E_BAD_AMOUNT (steps), E_WRONG_SELECTION (no part of the surface lies over the reference),
-/// E_CANCELLED. O(samples log facets + unknowns^1.5) per step.
+/// E_CANCELLED. Progress goes by the steps that may be made, so it may end early. O(samples log facets +
+/// unknowns^1.5) per step.
 Result<ReferenceFit> fit_to_reference(const PolyhedronSource& source, std::span<const VertexId> vertices,
                                       const ReferenceFacets& reference, const FitOptions& options,
-                                      const CancelToken& cancel = {});
+                                      const CancelToken& cancel = {}, const Progress& progress = {});
 
 }  // namespace hariko

@@ -288,7 +288,10 @@ Result<ObjectSurface> ObjectSurfacer::surface(const Object& object, const Object
   }
   auto input = call.input(object, quality, cache_);
   if (!input) return input.error();
-  return over(*input, quality, cancel);
+  auto made = over(*input, quality, cancel);
+  if (made && quality == Quality::drag && object.polyhedron()->preparation.automatic_tension != 0)
+    made.value().provisional = true;
+  return made;
 }
 
 ObjectSurface ObjectSurfacer::whole(Surface surface, std::vector<Message> warnings) {
@@ -301,8 +304,8 @@ Result<ObjectSurface> ObjectSurfacer::over(const PolyhedronSurfaceInput& input, 
   auto rebuilt = surfacer_.rebuild(input, quality, cancel);
   if (!rebuilt) return rebuilt.error();
   PolyhedronSurface& made = rebuilt.value();
-  return ObjectSurface{std::move(made.surface), std::move(made.warnings), made.report,
-                       made.revision,           made.base_revision,       std::move(made.changed)};
+  return ObjectSurface{std::move(made.surface), std::move(made.warnings), made.report,     made.revision,
+                       made.base_revision,      std::move(made.changed),  made.provisional};
 }
 
 Result<ObjectSurface> ObjectSurfacer::around(const SolidsSource& source, Quality quality,
@@ -331,11 +334,11 @@ Result<ObjectSurface> ObjectSurfacer::inside(const OutlineSource& source, Qualit
                                              const CancelToken& cancel) {
   const auto points = control_points(*source.outline, gauss_options(source.settings), cancel);
   if (!points) return points.error();
-  const auto made = outline_polyhedron(*points);
+  const auto made = outline_polyhedron(*points, source.settings.frames);
   if (!made) return made.error();
-  const PolyhedronSurfaceInput input{made->polyhedron, made->shaping,
-                                     source.settings.curvature_continuous ? Mode::g2 : Mode::fair,
-                                     made->origin};
+  PolyhedronSurfaceInput input{made->polyhedron, made->shaping,
+                               source.settings.curvature_continuous ? Mode::g2 : Mode::fair, made->origin};
+  input.frames = source.settings.frames;
   auto out = over(input, quality, cancel);
   if (out.ok()) {
     std::vector<Message>& warnings = out.value().warnings;

@@ -31,6 +31,8 @@ struct ObjectSurface {
   /// Revision, and patches that changed since another one: see `PolyhedronSurface`.
   std::uint64_t revision = 0, base_revision = 0;
   std::shared_ptr<const std::vector<Index>> changed;
+  /// Whether frames, target curvatures or automatic tensions are those of the last result at quality `final`.
+  bool provisional = false;
 };
 
 /// Returns the other objects that an object's surface depends on, in the document's order.

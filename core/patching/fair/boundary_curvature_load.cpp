@@ -54,15 +54,21 @@ std::vector<Index> clamped_boundary_edges(const Polyhedron& polyhedron, const Sh
     const Pin* pin = shaping.pin.find(polyhedron.vertex_id(v));
     return pin && pin->kind == Pin::Kind::tangents;
   };
+  const auto formed = [&](Index v) {
+    const VertexId id = polyhedron.vertex_id(v);
+    return shaping.pin.contains(id) && shaping.form.contains(id);
+  };
   const auto smooth = [&](Index v) {
     return shaping.tag.get_or(polyhedron.vertex_id(v), VertexTag::automatic) == VertexTag::smooth;
   };
   std::vector<Index> out;
   for (Index h = 0; h < mesh.half_edge_count(); ++h) {
     if (mesh.twin(h) != no_index || mesh.side_count(mesh.face(h)) != 3) continue;
-    const Index a = mesh.origin(h), b = mesh.target(h);
-    if (smooth(a) && smooth(b) && pinned(a) && pinned(b) && pinned(mesh.target(mesh.next(h))))
-      out.push_back(h);
+    const Index a = mesh.origin(h), b = mesh.target(h), c = mesh.target(mesh.next(h));
+    if (!smooth(a) || !smooth(b)) continue;
+    const bool by_pins = pinned(a) && pinned(b) && pinned(c);
+    const bool by_forms = formed(a) && formed(b) && shaping.pin.contains(polyhedron.vertex_id(c));
+    if (by_pins || by_forms) out.push_back(h);
   }
   return out;
 }

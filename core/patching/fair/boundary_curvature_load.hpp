@@ -13,8 +13,10 @@
 
 namespace hariko {
 
-/// Clamped boundary edges: border half-edges, ascending, of triangles whose vertices all have pinned
-/// tangents, with both ends tagged smooth. These are the rims over outlines with normals.
+/// Clamped boundary edges: border half-edges, ascending, of triangles with both ends tagged smooth, where the
+/// tangents at the ends are known and the tangent plane at the third vertex is: pins of kind tangents at all
+/// three vertices, or pins of any kind with kept forms at both ends. These are the rims over outlines with
+/// normals, with equal and with metric frames.
 std::vector<Index> clamped_boundary_edges(const Polyhedron& polyhedron, const Shaping& shaping);
 
 /// Load of a clamped rim: contribution of the bending across it to the right-hand side of mode FAIR, for z at
