@@ -146,6 +146,10 @@ class Scene {
       add_piece(curve, solid, middle, end, out);
     } else if (!hidden(point, solid, 0)) {
       out.push_back({point, solid});
+      // A piece farther from the surface than it is long reaches out most at an end.
+      if (length > effort_.spacing)
+        for (const double end_of_piece : {begin, end})
+          if (const Vector3 at = curve.at(end_of_piece); !hidden(at, solid, 0)) out.push_back({at, solid});
     }
   }
 

@@ -111,6 +111,18 @@ TEST(EnclosureCheck, RimsThatReachOutBetweenTheirTestPointsAreFound) {
   EXPECT_NEAR(farthest, out, 3e-4);
 }
 
+TEST(EnclosureCheck, TipsFarOutsideAreMeasured) {
+  // A needle with its tip 5 outside of the sphere: its edges are farther from the sphere than they are long.
+  Solid needle;
+  needle.kind = SolidKind::pyramid;
+  needle.radius = 0.2;
+  needle.height = 8;
+  needle.position = {0, 0, 1};  // its tip is three quarters of the height above
+  const std::vector<SolidShape> shapes = shapes_of({needle});
+  const EnclosureReport report = check_enclosure(sphere(2), shapes, effort, slack);
+  EXPECT_NEAR(report.worst, 5, 0.01);
+}
+
 TEST(EnclosureCheck, FacesThatTheSurfaceRunsBelowAreFound) {
   constexpr double out = 0.01;
   const Vector3 middle(1, 0.2, 0.13);  // of a spot of 0.06 across

@@ -139,6 +139,24 @@ TEST(EnvelopeNetwork, TwoBoxesApartHaveTheMeasuredBridge) {
   EXPECT_LT(nearest, 1e-6);
 }
 
+TEST(EnvelopeNetwork, ThinRingsAndDiscsAreNotFlat) {
+  for (const double thickness : {0.3, 0.1, 0.02, 0.001})
+    for (const SolidKind kind : {SolidKind::torus, SolidKind::cylinder, SolidKind::box, SolidKind::prism}) {
+      Solid solid;
+      solid.kind = kind;
+      solid.radius = 1;
+      solid.tube = thickness / 2;
+      solid.height = thickness;
+      solid.size = {2, 1.5, thickness};
+      solid.rotation = {20, 50, -30};
+      EnvelopeInput input;
+      input.solids = {solid};
+      const EnvelopeSurface made = envelope_of(input);
+      ASSERT_TRUE(made.network) << name_of(kind) << " " << thickness;
+      EXPECT_TRUE(made.surface.boundary_sides().empty());
+    }
+}
+
 TEST(EnvelopeNetwork, ABallIsNearlyABall) {
   const auto made = EnvelopeSurfacer().rebuild(golden_scene("sphere"));
   ASSERT_TRUE(made.ok());

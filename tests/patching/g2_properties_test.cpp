@@ -86,8 +86,10 @@ TEST(G2Properties, CurvatureVariesInProportionToTheDistanceFromAVertex) {
     const auto surface = build(input_of(polyhedron, {}, chosen));
     const auto frames = build_vertex_frames(polyhedron, {}, {chosen}).value();
     const double rms = std::max(jumps_of(surface.surface).rms, 1e-9 / size_of(polyhedron));
-    const Spread near = spread_round(polyhedron.topology(), frames, g2_set(surface), 1e-4, rms);
-    const Spread far = spread_round(polyhedron.topology(), frames, g2_set(surface), 1e-3, rms);
+    // Nearer to a vertex rounding shows, which grows by the inverse square of the distance: beside corners of
+    // 175 degrees curvature differs by a thousandth at 1e-4 of an edge.
+    const Spread near = spread_round(polyhedron.topology(), frames, g2_set(surface), 3e-4, rms);
+    const Spread far = spread_round(polyhedron.topology(), frames, g2_set(surface), 3e-3, rms);
     EXPECT_LE(near.mean, 0.15 * far.mean + 1e-7);
     EXPECT_LE(near.gauss, 0.15 * far.gauss + 1e-7);
   });
@@ -189,7 +191,9 @@ void expect_similarities_to_map_the_surface(std::mt19937_64& rng) {
   }
   const auto before = build(input_of(polyhedron, shaping, frames));
   const auto after = build(input_of(polyhedron.with_positions(all, moved).value(), shaping, frames));
-  EXPECT_LT(difference(after.surface, before.surface, map, move), 1e-9 * map.norm() * size_of(polyhedron));
+  // Where conjugate gradients end is a matter of rounding: with tensions of a hundred to one the controls
+  // differ by up to 2e-9 of the size then (the worst of 320 cages; 1e-13 is usual).
+  EXPECT_LT(difference(after.surface, before.surface, map, move), 1e-8 * map.norm() * size_of(polyhedron));
 }
 
 TEST(G2Properties, SimilaritiesOfTheInputMapTheSurface) {

@@ -26,7 +26,7 @@ constexpr double finer_share = 0.7;  ///< factor of the edges for finer patches
 /// Number of points on the surface of a solid that are tested for protrusion.
 constexpr int spread_points = 200;
 constexpr int least_curve_points = 8, most_curve_points = 400;  ///< number of such points on an edge or a rim
-constexpr int foot_steps = 8;
+constexpr int foot_steps = 8, foot_rounds = 4;
 constexpr int most_cuts = 3, final_rounds = 6, drag_rounds = 1;
 constexpr int fit_intervals = 8, drag_intervals = 4;  ///< number of sample intervals along a side of a patch
 constexpr double least_agreement = 0.77;              ///< cosine of 40 degrees
@@ -207,10 +207,23 @@ double room_outside(const BallSettings& settings) {
   return settings.clearance + (settings.on_faces ? 0 : patch_tolerance * settings.sigma);
 }
 
+/// Distance of a point from the zero surface: from the foot along the gradient, the tangent plane there leads
+/// to nearer ones.
+static double distance_to_surface(const SplineField& field, const Vector3& p, double sigma) {
+  Vector3 foot = projected(field, p, foot_steps, sigma);
+  double out = (foot - p).norm();
+  for (int round = 0; round < foot_rounds; ++round) {
+    const Vector3 normal = field.at(foot).gradient.stableNormalized();
+    foot = projected(field, p + (foot - p).dot(normal) * normal, foot_steps, sigma);
+    out = std::min(out, (foot - p).norm());
+  }
+  return out;
+}
+
 double sticking_out(const SplineField& field, std::span<const SolidShape> solids, double sigma) {
   double out = 0;
   const auto look_at = [&](const Vector3& p) {
-    if (field.value(p) > 0) out = std::max(out, (projected(field, p, foot_steps, sigma) - p).norm());
+    if (field.value(p) > 0) out = std::max(out, distance_to_surface(field, p, sigma));
   };
   for (const SolidShape& solid : solids) {
     for (const Vector3& p : solid.surface_points(spread_points)) look_at(p);

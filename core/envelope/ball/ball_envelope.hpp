@@ -65,7 +65,7 @@ struct BallEnvelope : BallField {
 BallField ball_field(std::span<const Solid> solids, const BallSettings& settings, const Vector3& origin,
                      std::optional<Eigen::Index> mirror, Quality quality, const CancelToken& cancel = {},
                      GrowthConstants* constants = nullptr);
-/// Largest distance of points of the solids outside the field's zero surface, along the gradient: surface
+/// Largest distance of points of the solids outside the field's zero surface from that surface: surface
 /// points, corners and points of edges and rims. O(solids).
 double sticking_out(const SplineField& field, std::span<const SolidShape> solids, double sigma);
 

@@ -8,6 +8,7 @@
 #include <set>
 #include <tuple>
 
+#include "core/base/solvers/small_solver.hpp"
 #include "core/geometry/angles.hpp"
 #include "core/geometry/polygon.hpp"
 #include "core/geometry/tolerant_hull.hpp"
@@ -20,6 +21,8 @@ constexpr double duplicate_distance = 1e-6;  ///< relative to the diagonal
 constexpr double hull_tolerance = 1e-9;      ///< relative to the diagonal
 constexpr double flat_angle = 0.05;          ///< degrees
 constexpr double thinning = 0.09;  ///< relative to the size: of corners nearer to each other some are removed
+/// Relative to the width: corners on both sides of thin solids stay.
+constexpr double thinning_of_width = 0.5;
 constexpr double merge_angle = 40;  ///< degrees: largest angle between triangles that are merged to a quad
 constexpr double thin_merge_angle = 75;  ///< degrees, if one of the triangles is thin
 constexpr int needle_rounds = 12;
@@ -62,12 +65,15 @@ class HullCageBuilder {
   NetworkCage build() {
     collect();
     std::vector<Index> kept = thinned();
-    for (int round = 0; round <= needle_rounds; ++round) {
-      if (!triangulate(kept)) return {};
-      set_frames();
-      merge_flat();
-      merge_pairs();
-      if (round == needle_rounds || !remove_needle(kept)) break;
+    if (!make_faces(kept)) return {};
+    for (int round = 0; round < needle_rounds; ++round) {
+      const NetworkCage before = cage_;
+      if (!remove_needle(kept)) break;
+      // Without the needle's corner the others may lie in a plane.
+      if (!make_faces(kept)) {
+        cage_ = before;
+        break;
+      }
     }
     return compact();
   }
@@ -102,6 +108,19 @@ class HullCageBuilder {
     for (const Index v : tolerant_hull(positions, hull_tolerance * size_).vertices) all_.push_back(left[v]);
   }
 
+  /// Extent of the corners along the axis along which they spread least.
+  double width(const Vector3& mean) const {
+    Matrix3 spread = Matrix3::Zero();
+    for (const Candidate& c : all_) spread += (c.position - mean) * (c.position - mean).transpose();
+    const Vector3 axis = symmetric_axes(spread).vectors.col(0);
+    double low = 0, high = 0;
+    for (const Candidate& c : all_) {
+      low = std::min(low, axis.dot(c.position - mean));
+      high = std::max(high, axis.dot(c.position - mean));
+    }
+    return high - low;
+  }
+
   std::vector<Index> thinned() {
     Vector3 mean = Vector3::Zero();
     for (const Candidate& c : all_) mean += c.position / double(all_.size());
@@ -113,13 +132,22 @@ class HullCageBuilder {
       return std::round((all_[i].position - mean).norm() / (1e-9 * size_));
     };
     std::stable_sort(order.begin(), order.end(), [&](Index a, Index b) { return distance(a) > distance(b); });
+    const double apart = std::min(thinning * size_, thinning_of_width * width(mean));
     std::vector<Index> kept;
     for (const Index i : order)
-      if (std::ranges::all_of(
-              kept, [&](Index k) { return (all_[k].position - all_[i].position).norm() > thinning * size_; }))
+      if (std::ranges::all_of(kept,
+                              [&](Index k) { return (all_[k].position - all_[i].position).norm() > apart; }))
         kept.push_back(i);
     std::ranges::sort(kept);
     return kept;
+  }
+
+  bool make_faces(const std::vector<Index>& kept) {
+    if (!triangulate(kept)) return false;
+    set_frames();
+    merge_flat();
+    merge_pairs();
+    return true;
   }
 
   bool triangulate(const std::vector<Index>& kept) {
