@@ -11,19 +11,19 @@ namespace {
 
 /// Reach relative to the way: with less the moved part would hang on a thin neck, or on none.
 constexpr double reach_of_way = 2.5;
-/// Square of the reach relative to way times sigma: the tip's curvature, 20 ways per squared reach, is then
+/// Square of the reach relative to way times sigma: the tip's curvature, 6 ways per squared reach, is then
 /// that of a box's edge.
-constexpr double reach_of_bend = 30;
+constexpr double reach_of_bend = 9;
 /// Factor that allows for pulls that overlap.
 constexpr double bound_factor = 1.25;
-/// Raises the diagonal for places that coincide.
-constexpr double coincidence = 1e-9;
+/// Weight of the amounts' squares beside those of the misses, for places that coincide.
+constexpr double coincidence = 1e-10;
 
-/// Share of a pull at a distance in units of its reach: Wendland's function of R^3 with continuous curvature,
-/// which is positive definite, so that any places can be met.
+/// Share of a pull at a distance in units of its reach: with continuous curvature, and as full as a bell can
+/// be.
 double share(double distance) {
-  const double left = std::max(0.0, 1 - distance);
-  return left * left * left * left * (4 * distance + 1);
+  const double left = std::max(0.0, 1 - distance * distance);
+  return left * left * left;
 }
 
 /// Shares of a pull at the nodes of a field's lattice.
@@ -86,9 +86,10 @@ std::vector<double> pull_offsets(const SplineField& field, int passes, std::span
     for (int pass = 0; pass < passes; ++pass) smooth_lattice(field.size(), smoothed);
     const SplineField alone(field.corner(), field.spacing(), field.size(), std::move(smoothed));
     for (Eigen::Index j = 0; j < count; ++j) met(j, k) = alone.value(places[std::size_t(j)].at);
-    met(k, k) += coincidence;
   }
-  const Eigen::VectorXd amounts = solve_general(met, ways);
+  Eigen::MatrixXd normal = transposed_product(met, met);
+  normal.diagonal().array() += coincidence;
+  const Eigen::VectorXd amounts = solve_symmetric(normal, transposed_product(met, ways));
   std::vector<double> out(shares.front().size(), 0);
   for (Eigen::Index k = 0; k < count; ++k)
     for (std::size_t i = 0; i < out.size(); ++i) out[i] += amounts[k] * shares[std::size_t(k)][i];
