@@ -91,7 +91,7 @@ TEST_F(PullByHand, TheSurfaceFollowsThePointerAndPlacesCanBeMovedAndRemoved) {
   begin();
   const Vector2 place = pixel(pulled_place());
   bench().move(place.x(), place.y());
-  bench().key("Delete");
+  bench().key("Del");
   wait();
   EXPECT_TRUE(solid().pulls.empty());
   bench().key("Esc");
