@@ -97,7 +97,7 @@ TEST(EditJobs, AnEditIsOneStepWhenItIsThereAndCanBeAdjusted) {
   EXPECT_EQ(rig.scale(), 10);
   EXPECT_EQ(last.numbers()[0].value, 5);
   EXPECT_EQ(rig.editor.history.position(), 1U) << "in the place of the first";
-  // What is known needs no worker.
+  // Values made before need no worker.
   EXPECT_TRUE(last.adjust(rig.editor, 0, 3));
   EXPECT_EQ(rig.scale(), 6);
   rig.editor.undo();
@@ -135,7 +135,7 @@ TEST(EditJobs, AnObjectThatWasChangedMeanwhileStays) {
   rig.finish();
   EXPECT_EQ(rig.scale(), 6);
   EXPECT_TRUE(rig.editor.notices().empty());
-  // Of one that is gone there is nothing to say.
+  // An edit of an object that is gone ends without a word.
   rig.run(2);
   rig.editor.open({}, {});
   rig.finish();

@@ -80,6 +80,22 @@ struct EngineRig {
       [this] { return std::make_unique<FakeBuilder>(script); },
       {},
       [this](ObjectId, const SurfaceView& view) { published.emplace_back(view.milliseconds, view.quality); }};
+  /// First surface of a document, then a frame of a gesture that is provisional.
+  void begin_provisional(const Document& document, const Document& dragged) {
+    script->provisional = true;
+    engine.sync(document, false, 0);
+    settle();
+    engine.sync(dragged, true, 1);
+    settle();
+    published.clear();
+  }
+  /// Syncs a gesture that rests, and holds the surface that is begun beside it.
+  void hold_ahead(const Document& dragged) {
+    script->hold = true;
+    script->started = false;
+    engine.sync(dragged, true, 1.1);
+    while (!script->started) std::this_thread::sleep_for(1ms);
+  }
   void settle() {
     for (int i = 0; i < 3; ++i) {
       engine.wait();
@@ -181,18 +197,10 @@ TEST(RebuildEngine, ProvisionalSurfacesAreFinishedWhileTheGestureRests) {
 
 TEST(RebuildEngine, SurfacesMadeBesideAGestureCarryItOn) {
   EngineRig rig;
-  rig.script->provisional = true;
   const Document document = triangle_document();
-  rig.engine.sync(document, false, 0);
-  rig.settle();
-  rig.engine.sync(moved(document, 1), true, 1);
-  rig.settle();
-  rig.published.clear();
+  rig.begin_provisional(document, moved(document, 1));
   EXPECT_EQ(rig.script->last_builder, 1);
-  rig.script->hold = true;
-  rig.script->started = false;
-  rig.engine.sync(moved(document, 1), true, 1.1);
-  while (!rig.script->started) std::this_thread::sleep_for(1ms);
+  rig.hold_ahead(moved(document, 1));
   rig.engine.sync(moved(document, 2), true, 1.2);
   rig.script->hold = false;
   rig.settle();
@@ -207,18 +215,9 @@ TEST(RebuildEngine, SurfacesMadeBesideAGestureCarryItOn) {
 
 TEST(RebuildEngine, TheEndOfAGestureWaitsForTheSurfaceInTheMaking) {
   EngineRig rig;
-  rig.script->provisional = true;
-  const Document document = triangle_document();
-  rig.engine.sync(document, false, 0);
-  rig.settle();
-  const Document dragged = moved(document, 3);
-  rig.engine.sync(dragged, true, 1);
-  rig.settle();
-  rig.published.clear();
-  rig.script->hold = true;
-  rig.script->started = false;
-  rig.engine.sync(dragged, true, 1.1);
-  while (!rig.script->started) std::this_thread::sleep_for(1ms);
+  const Document document = triangle_document(), dragged = moved(document, 3);
+  rig.begin_provisional(document, dragged);
+  rig.hold_ahead(dragged);
   const int builds = rig.script->builds;
   rig.engine.sync(dragged, false, 1.2);
   EXPECT_TRUE(rig.engine.any_pending());
@@ -232,17 +231,9 @@ TEST(RebuildEngine, TheEndOfAGestureWaitsForTheSurfaceInTheMaking) {
 
 TEST(RebuildEngine, AGestureTakenBackDropsTheSurfaceInTheMaking) {
   EngineRig rig;
-  rig.script->provisional = true;
   const Document document = triangle_document();
-  rig.engine.sync(document, false, 0);
-  rig.settle();
-  rig.engine.sync(moved(document, 3), true, 1);
-  rig.settle();
-  rig.published.clear();
-  rig.script->hold = true;
-  rig.script->started = false;
-  rig.engine.sync(moved(document, 3), true, 1.1);
-  while (!rig.script->started) std::this_thread::sleep_for(1ms);
+  rig.begin_provisional(document, moved(document, 3));
+  rig.hold_ahead(moved(document, 3));
   rig.engine.sync(document, false, 1.2);
   rig.script->hold = false;
   rig.settle();

@@ -115,7 +115,7 @@ TEST(SkinJobs, ASkinThatWasChangedMeanwhileStays) {
   EXPECT_EQ(rig.skin(), changed);
   ASSERT_EQ(rig.editor.notices().size(), 1U);
   EXPECT_EQ(rig.editor.notices()[0].kind, Notice::Kind::warning);
-  // Of one that is gone there is nothing to say.
+  // A job of an object that is gone ends without a word.
   rig.editor.notices().clear();
   rig.jobs.add_section(rig.object().id, 0.5);
   rig.editor.open({}, {});

@@ -131,7 +131,7 @@ TEST(Pulls, RandomOnesLeaveTheSolidsInside) {
     const double size = solids_size(input.solids);
     const EnclosureReport judged =
         check_enclosure(made.surface, shapes, {.spacing = 2e-3 * size}, 1e-5 * size);
-    // What the report claims holds.
+    // The report's claim holds.
     if (made.enclosed) {
       EXPECT_EQ(judged.outside, 0U);
     }

@@ -66,7 +66,7 @@ TEST(ReadOff, WordsCountAndNotLines) {
     EXPECT_EQ(read->mesh.face_vertices, expected->mesh.face_vertices) << text;
     EXPECT_TRUE(read->warnings.empty()) << text;
   }
-  // What such a file lacks, or has too much, is not made up.
+  // Files with too few or too many numbers are refused.
   EXPECT_FALSE(read_off("OFF\n4 2 0\n0 0 0 1 0 0\n1 1 0 0 1 0\n3 0 1 2\n3 0 2\n").ok());
   EXPECT_FALSE(read_off("OFF\n4 2 0\n0 0 0 1 0 0\n1 1 0 0 1 0\n3 0 1 2\n3 0 2 3\n7\n").ok());
 }

@@ -191,7 +191,7 @@ void expect_similarities_to_map_the_surface(std::mt19937_64& rng) {
   }
   const auto before = build(input_of(polyhedron, shaping, frames));
   const auto after = build(input_of(polyhedron.with_positions(all, moved).value(), shaping, frames));
-  // Where conjugate gradients end is a matter of rounding: with tensions of a hundred to one the controls
+  // Rounding decides where conjugate gradients end: with tensions of a hundred to one the controls
   // differ by up to 2e-9 of the size then (the worst of 320 cages; 1e-13 is usual).
   EXPECT_LT(difference(after.surface, before.surface, map, move), 1e-8 * map.norm() * size_of(polyhedron));
 }

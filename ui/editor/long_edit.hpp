@@ -17,7 +17,7 @@ struct LongEdit {
   std::string what;  ///< "Fitting Body", in English
   ObjectId object;
   /// Computes from values alone, as it may run on another thread, and returns soon when it is cancelled.
-  /// What it returns is called on the main thread, unless it was cancelled; never empty.
+  /// Work of the worker; returns a function, never empty, that is called on the main thread unless cancelled.
   std::function<Then(const CancelToken&, const Progress&)> work;
 };
 

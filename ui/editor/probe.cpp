@@ -8,7 +8,7 @@ namespace hariko {
 
 std::optional<SurfacePoint> surface_point(const SceneBuilder& scene, const Ray& ray) {
   const auto hit = pick_surface(scene.scene(), ray);
-  // What is read belongs to the object's own place.
+  // Readings belong to the object's own place.
   if (!hit || scene.scene().objects[hit->object].copy) return std::nullopt;
   return SurfacePoint{scene.object_id(hit->object), hit->patch, hit->parameter, hit->value};
 }

@@ -156,8 +156,8 @@ void mark_whole(const Editor& editor, const Object& object, SceneObject& out) {
   if (hovered) out.hovered = all;
 }
 
-/// What is drawn at the further places of an object. Tinted patches stay, as the buffers are the same; what
-/// is drawn over them of single elements stands at the own place alone.
+/// Object at one of its further places. Tinted patches stay, because the buffers are the same; marks of
+/// single elements are drawn at the object's own place only.
 SceneObject copy_at_places(const SceneObject& own, bool whole) {
   SceneObject out = own;
   out.copy = true;
