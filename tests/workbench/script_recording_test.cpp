@@ -271,6 +271,22 @@ TEST_F(ScriptRecordingOfAPrism, WhatHasNoCommandIsToldAndCounted) {
   EXPECT_EQ(editor().notices().back().kind, Notice::Kind::warning);
 }
 
+TEST_F(ScriptRecordingOfAPrism, TheButtonThatEndsItStaysInItsPlace) {
+  const auto button = [&] { return bench_.workbench().marks().all().at("status.stop_script"); };
+  const auto state = [&] { return bench_.workbench().marks().all().at("status.right"); };
+  record();
+  const auto before = button();
+  const int text_before = state().x;
+  choose_face(0);
+  run("mesh.poke");
+  frames(20);
+  EXPECT_NE(state().x, text_before) << "the text of the state did not change its length";
+  EXPECT_EQ(button(), before);
+  bench_.click("status.stop_script");
+  frames();
+  EXPECT_FALSE(editor().script_recording.has_value());
+}
+
 TEST_F(ScriptRecordingOfAPrism, AnUndoneEditIsMissingNoLonger) {
   record();
   const ObjectId id = editor().selection.active;

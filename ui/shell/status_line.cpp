@@ -36,7 +36,7 @@ bool draw_work(PanelContext& context, const WorkRow& row, float& right) {
   const float box = row.button ? ImGui::CalcTextSize(row.button).x + 2 * padding : 0;
   const float width = words + bar + box + 3 * padding;
   right -= width;
-  ImGui::SameLine(right);
+  ImGui::SameLine(right + 2 * padding);
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float height = ImGui::GetTextLineHeight();
   ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -176,30 +176,29 @@ void draw_status_line(PanelContext& context, const PanelRect& rect) {
           right += "   \u00b7   " + reached;
       }
     }
-    constexpr float least_hint = 120;  // points
-    const std::string state = elided(right, rect.width() - m.px(least_hint + 48));
-    const float width = ImGui::CalcTextSize(state.c_str()).x;
-    const bool busy =
-        !editor.stale_since.empty() || !editor.recompute.outdated.empty() || !editor.jobs.empty();
+    // Work stands at the edge, what lasts longest first: a text beside it that grows must not move a button
+    // away from the pointer.
+    float edge = rect.width() - m.px(12);
+    draw_recording(context, edge);
+    draw_script_recording(context, edge);
+    draw_job(context, edge);
+    draw_recompute(context, edge);
     // The hint gives way to the state.
+    constexpr float least_hint = 120;  // points
+    const float start = m.px(12), gap = m.px(16);
+    const std::string state = elided(right, edge - start - gap - m.px(least_hint));
+    const float left = edge - ImGui::CalcTextSize(state.c_str()).x;
     const std::string hint = context.tr.phrase(context.tool_hint);
-    const float room = rect.width() - width - m.px(48) - (busy ? m.px(editor.jobs.empty() ? 240 : 420) : 0) -
-                       (editor.recording ? m.px(170) : 0) - (editor.script_recording ? m.px(240) : 0);
-    const std::string shown = elided(hint, std::max(room, m.px(least_hint)));
+    const std::string shown = elided(hint, std::max(left - gap - start, m.px(least_hint)));
+    ImGui::SameLine(start);
     ImGui::TextUnformatted(shown.c_str());
     context.marks.item("status.left");
     if (shown != hint && ImGui::IsItemHovered()) show_tip(hint);
-    ImGui::SameLine(
-        std::max(ImGui::GetItemRectMax().x - rect.min.x + m.px(16), rect.width() - width - m.px(12)));
+    ImGui::SameLine(std::max(left, start + ImGui::CalcTextSize(shown.c_str()).x + gap));
     const TextColour text(colour);
-    float left = ImGui::GetCursorPosX() - m.px(12);
     ImGui::TextUnformatted(state.c_str());
     context.marks.item("status.right");
     if (state != right && ImGui::IsItemHovered()) show_tip(right);
-    draw_recompute(context, left);
-    draw_job(context, left);
-    draw_recording(context, left);
-    draw_script_recording(context, left);
     ImGui::PopStyleColor();
   }
   ImGui::End();
