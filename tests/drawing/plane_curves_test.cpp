@@ -151,7 +151,7 @@ void expect_closed_curves(const DrawnSurface& drawn, const Vector3& direction, d
     EXPECT_EQ(curve.points.front(), curve.points.back());
     EXPECT_GE(length_of_points(curve.points), 1e-9 * size);
   }
-  const double below = whole_length(curves_across(drawn, direction, offset - 1e-7 * size));
+  const double below = whole_length(curves_across(drawn, direction, offset - 1e-9 * size));
   EXPECT_NEAR(whole_length(curves), below, 1e-4 * size);
 }
 
