@@ -28,6 +28,12 @@ std::string duration_text(double milliseconds) {
                               : format_number(milliseconds / 1000, 3) + " s";
 }
 
+/// Goes on in the line at `x`, which no button beside moves up or down.
+void continue_line(float x) {
+  ImGui::SameLine(x);
+  ImGui::SetCursorPosY(ImGui::GetCursorStartPos().y);
+}
+
 /// Draws a row that ends at `right`, which becomes its left end. True when the button was pressed.
 bool draw_work(PanelContext& context, const WorkRow& row, float& right) {
   const Metrics& m = context.metrics;
@@ -36,7 +42,7 @@ bool draw_work(PanelContext& context, const WorkRow& row, float& right) {
   const float box = row.button ? ImGui::CalcTextSize(row.button).x + 2 * padding : 0;
   const float width = words + bar + box + 3 * padding;
   right -= width;
-  ImGui::SameLine(right + 2 * padding);
+  continue_line(right + 2 * padding);
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float height = ImGui::GetTextLineHeight();
   ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -190,11 +196,11 @@ void draw_status_line(PanelContext& context, const PanelRect& rect) {
     const float left = edge - ImGui::CalcTextSize(state.c_str()).x;
     const std::string hint = context.tr.phrase(context.tool_hint);
     const std::string shown = elided(hint, std::max(left - gap - start, m.px(least_hint)));
-    ImGui::SameLine(start);
+    continue_line(start);
     ImGui::TextUnformatted(shown.c_str());
     context.marks.item("status.left");
     if (shown != hint && ImGui::IsItemHovered()) show_tip(hint);
-    ImGui::SameLine(std::max(left, start + ImGui::CalcTextSize(shown.c_str()).x + gap));
+    continue_line(std::max(left, start + ImGui::CalcTextSize(shown.c_str()).x + gap));
     const TextColour text(colour);
     ImGui::TextUnformatted(state.c_str());
     context.marks.item("status.right");
