@@ -1,6 +1,6 @@
 #pragma once
 
-// What tests of the file format read and say.
+// Texts of files that tests of the file format read, and messages that they expect.
 
 #include <fstream>
 #include <sstream>

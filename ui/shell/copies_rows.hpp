@@ -7,7 +7,7 @@
 
 namespace hariko {
 
-/// How many places the objects have and, where they are in a row or a ring, how far these are from each
+/// Number of places that the objects have and, where they are in a row or a ring, how far these are from each
 /// other. Fields change the outermost array of each object. Draws nothing unless all objects have live
 /// copies.
 void copies_rows(PanelContext& context, const Objects& objects);

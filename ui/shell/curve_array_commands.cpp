@@ -147,7 +147,7 @@ Vector3 middle_of_objects(const Document& document, std::span<const ObjectId> ob
   return box.isEmpty() ? Vector3(Vector3::Zero()) : Vector3(box.center());
 }
 
-/// What is asked for beside the objects and the curve.
+/// Numbers and choices that the window asks for beside the objects and the curve.
 struct AlongCurve {
   CurveLayout layout;
   bool onto_curve = false, backward = false;
