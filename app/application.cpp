@@ -12,7 +12,6 @@
 #include <vector>
 
 #include "app/assets_folder.hpp"
-#include "app/crash_offers.hpp"
 #include "app/crash_report.hpp"
 #include "app/document_session.hpp"
 #include "app/engines/environment_loader.hpp"
@@ -33,6 +32,7 @@
 #include "app/jobs/exchange_jobs.hpp"
 #include "app/jobs/reference_jobs.hpp"
 #include "app/jobs/skin_jobs.hpp"
+#include "app/offers.hpp"
 #include "app/persistence/settings_file.hpp"
 #include "app/pictures/pictures.hpp"
 #include "app/pictures/sample_pictures.hpp"
@@ -43,7 +43,6 @@
 #include "app/window/gl_window.hpp"
 #include "app/window/interface_text.hpp"
 #include "app/window/signal_watch.hpp"
-#include "app/window/window_icons.hpp"
 #include "ui/base/fonts.hpp"
 #include "ui/base/system_information.hpp"
 #include "ui/shell/workbench.hpp"
@@ -87,7 +86,7 @@ class Application final : private ApplicationServices {
         edits_(editor_, &GlWindow::wake),
         meshes_(editor_, &GlWindow::wake, [this] { log_.file("meshed", {}); }),
         paper_(editor_, long_, &GlWindow::wake),
-        skins_(editor_, long_, edits_, [this](const char* what, const auto& path) { happened(what, path); }),
+        skins_(editor_, edits_, [this](const char* what, const auto& path) { happened(what, path); }),
         conversions_(editor_, long_, [this](const char* what, const auto& path) { happened(what, path); }),
         pictures_in_(editor_, long_, [this](const char* what, const auto& path) { happened(what, path); }),
         references_(editor_, &GlWindow::wake),
@@ -109,10 +108,9 @@ class Application final : private ApplicationServices {
       if (kind != Notice::Kind::info) run_log_.line(kind == Notice::Kind::error ? "error" : "warning", text);
     };
     if (std::error_code unknown; !std::filesystem::is_directory(assets_folder(), unknown))
-      editor_.notify(Notice::Kind::warning, editor_.language(no_assets));
+      editor_.warn(no_assets);
     workbench_.samples() = find_samples(assets_folder());
-    if (const char* missing = missing_fonts())
-      editor_.notify(Notice::Kind::warning, editor_.language(missing));
+    if (const char* missing = missing_fonts()) editor_.warn(missing);
     replay_.begin(options, std::move(replay));
     const Replay* played = replay_.replay();
     // A replay must not depend on this user's settings and recovery files.
@@ -214,7 +212,7 @@ class Application final : private ApplicationServices {
   void export_pictures(PictureOrder order) override { exchange_.export_pictures(std::move(order)); }
   void export_drawing(DrawingOrder order) override { exchange_.export_drawing(std::move(order)); }
   void export_sections(SectionOrder order) override { exchange_.export_sections(std::move(order)); }
-  void export_control(const std::filesystem::path& path) override { skins_.export_control(path); }
+  void export_control(const std::filesystem::path& path) override { exchange_.export_control(path); }
   void export_pages(const std::filesystem::path& path) override { exchange_.export_pages(path); }
   void add_pictures(const std::vector<std::filesystem::path>& files) override { pictures_in_.add(files); }
   void pack_pictures(const std::vector<ObjectId>& pictures) override { pictures_in_.pack(pictures); }
@@ -291,8 +289,7 @@ class Application final : private ApplicationServices {
   /// Whether nothing is left to do until input arrives.
   bool rests() const {
     return frames_ <= 0 && !due() &&
-           std::all_of(publishers_.begin(), publishers_.end(),
-                       [](const Publisher& one) { return one.idle(); }) &&
+           std::ranges::all_of(publishers_, [](const Publisher& one) { return one.idle(); }) &&
            workbench_.viewport().next_frame_in() < 0 && !replay_.document_waits();
   }
 
@@ -369,8 +366,8 @@ class Application final : private ApplicationServices {
   ExportMemory saved_exports_;
   Renderer renderer_;
   TestLog log_;
-  InterfaceText text_{assets_folder() / "languages"};
   Editor editor_;
+  InterfaceText text_{assets_folder() / "languages", editor_};
   RebuildEngine engine_;
   BackgroundWork long_;
   BackgroundWork edits_;  ///< edits made by a worker do not wait for files

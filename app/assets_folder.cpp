@@ -1,7 +1,6 @@
 #include "app/assets_folder.hpp"
 
 #include <cstdlib>
-#include <string>
 #include <string_view>
 
 namespace hariko {

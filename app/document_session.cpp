@@ -5,13 +5,11 @@
 #include <utility>
 
 #include "app/files/file_names.hpp"
-#include "app/files/prepare_meshes.hpp"
-#include "app/jobs/broken_mesh.hpp"
+#include "app/jobs/mesh_questions.hpp"
 #include "app/persistence/unix_seconds.hpp"
 #include "core/base/files/temporary_files.hpp"
 #include "core/base/text/sanitized_utf8.hpp"
 #include "core/document/file.hpp"
-#include "ui/files/join_request.hpp"
 
 namespace hariko {
 
@@ -26,14 +24,19 @@ std::string owner_text(const Language& tr, const std::optional<LockOwner>& owner
   return fill(tr("{0} on {1}"), {owner->user, owner->host});
 }
 
+Message in_use(const fs::path& path) {
+  return make_error(e_document_locked, name_of(path) + " is open in another window and was not overwritten.",
+                    "Close it there, or save under another name.");
+}
+
 /// Note about surfaces that are made by equal angles; null where there are none.
 const char* note_about_frames(const Document& document) {
   bool rounder = false, any = false;
   for (const auto& object : document.objects) {
     if (surface_frames(object->source) != Frames::equal) continue;
-    const PolyhedronSource* polyhedron = object->polyhedron();
-    rounder = rounder || (polyhedron && polyhedron->mode == Mode::g2);
-    any = any || !polyhedron || polyhedron->mode == Mode::fair;
+    const auto mode = stored_mode(object->source);
+    rounder = rounder || mode == Mode::g2;
+    any = any || !mode || mode == Mode::fair;
   }
   if (rounder)
     return translatable(
@@ -87,55 +90,60 @@ DocumentSession::DocumentSession(Editor& editor, Workbench& workbench, const Xdg
 
 // Opening.
 
-void DocumentSession::open(const fs::path& given, const JoinChoice& join) {
+void DocumentSession::open(const fs::path& given, const MeshAnswers& answers) {
   const fs::path path = full_path(given);
   background_.run_cancellable(
-      fill(translatable("Opening {0}"), {name_of(path)}),
-      [path, join, choice = editor_.mesh_import, samples = samples_,
+      Phrase(translatable("Opening {0}"), {name_of(path)}),
+      [path, answers, choice = editor_.mesh_import, samples = samples_,
        own = lock_.held() ? lock_.path() : fs::path()](const CancelToken& cancel, const Progress& progress) {
         auto opened = std::make_shared<Opened>();
         opened->path = path;
-        std::error_code unknown;  // where one of them does not exist they are different
+        std::error_code unknown;  // an error says that one of them does not exist: they are different
         opened->sample = fs::equivalent(path.parent_path(), samples, unknown);
         // The stamp is taken first, so that a change during reading counts as one.
         (void)remove_stale_temporaries(path.parent_path());
         opened->stamp = stamp_of(path);
-        opened->file = open_file(path, cancel, progress, join);
-        prepare_meshes(opened->file, choice);
+        opened->file = open_as_answered(path, answers, choice, cancel, progress);
         if (!opened->file.native || !opened->file.document || opened->sample) return opened;
         const fs::path lock = lock_path_of(path);
         opened->own_lock = lock == own;
         if (!opened->own_lock) opened->attempt = FileLock::try_lock(lock, unix_seconds());
         return opened;
       },
-      [this, join](const std::shared_ptr<Opened>& opened) {
-        if (opened->file.broken_mesh) return ask_about_mesh(opened);
+      [this, answers](const std::shared_ptr<Opened>& opened) {
+        if (opened->file.broken_mesh) return ask_about_mesh(opened, answers);
         if (!opened->file.document) return editor_.notify(*opened->file.error());
-        if (opened->file.cleaned.near > 0 && !join.near) return ask_about_corners(opened);
         if (opened->attempt.outcome == Outcome::taken) return ask_about_lock(opened);
-        if (opened->file.dense_faces > 0) return ask_about_density(opened);
+        if (opened->file.meshes) return ask_about_faults_of(opened, answers);
         install(opened, opened->sample ? Mode::copy : Mode::normal);
       });
 }
 
-void DocumentSession::ask_about_mesh(const std::shared_ptr<Opened>& opened) {
+void DocumentSession::ask_about_mesh(const std::shared_ptr<Opened>& opened, const MeshAnswers& answers) {
+  const auto accept = [this, opened](const Document& document, const std::string& note) {
+    opened->file.document = document;
+    forget_errors(opened->file);
+    install(opened, Mode::normal);
+    editor_.notify(Notice::Kind::info, note);
+  };
+  const OpenedFile& file = opened->file;
+  if (answers.repair && file.repaired)
+    return accept(*file.repaired, repair_note(editor_.language, opened->path, file.repair));
   hooks_.log("broken", opened->path);
-  ask_about_broken_mesh(editor_, workbench_, opened->path,
-                        std::shared_ptr<const OpenedFile>(opened, &opened->file),
-                        [this, opened](const Document& document, const std::string& note) {
-                          opened->file.document = document;
-                          opened->file.messages.clear();
-                          install(opened, Mode::normal);
-                          editor_.notify(Notice::Kind::info, note);
-                        });
+  ask_about_broken_mesh(editor_, workbench_, opened->path, std::shared_ptr<const OpenedFile>(opened, &file),
+                        accept, [this, path = opened->path, answers] { open(path, with_repair(answers)); });
 }
 
-void DocumentSession::ask_about_corners(const std::shared_ptr<Opened>& opened) {
-  hooks_.log("near_corners", opened->path);
-  workbench_.ask(join_request(
-      editor_.language, name_of(opened->path), opened->file.cleaned, opened->file.document->unit,
-      [this, path = opened->path](const JoinChoice& chosen) { open(path, chosen); },
-      [this, opened] { ask_about_density(opened); }));
+void DocumentSession::ask_about_faults_of(const std::shared_ptr<Opened>& opened, const MeshAnswers& answers) {
+  MeshReactions reactions;
+  reactions.read_again = [this, path = opened->path](const MeshAnswers& decided) { open(path, decided); };
+  reactions.accept = [this, opened] {
+    if (opened->file.dense_faces > 0) return ask_about_density(opened);
+    install(opened, opened->sample ? Mode::copy : Mode::normal);
+  };
+  reactions.asked = [this, path = opened->path](const char* what) { hooks_.log(what, path); };
+  ask_about_faults(editor_, workbench_, opened->path,
+                   std::shared_ptr<const OpenedFile>(opened, &opened->file), answers, reactions);
 }
 
 void DocumentSession::ask_about_density(const std::shared_ptr<Opened>& opened) {
@@ -163,9 +171,8 @@ void DocumentSession::warn_about_lock(const fs::path& path, const FileLock::Atte
   const Language& tr = editor_.language;
   const std::string reason =
       attempt.outcome == Outcome::unavailable ? tr(attempt.reason) : tr("no locks on this disk");
-  editor_.notify(Notice::Kind::warning,
-                 fill(tr("{0} cannot be locked ({1}). Take care that no other window saves it."),
-                      {name_of(path), reason}));
+  editor_.warn(
+      {"{0} cannot be locked ({1}). Take care that no other window saves it.", {name_of(path), reason}});
 }
 
 void DocumentSession::install(const std::shared_ptr<Opened>& opened, Mode mode) {
@@ -188,7 +195,7 @@ void DocumentSession::install(const std::shared_ptr<Opened>& opened, Mode mode) 
   for (std::size_t i = 0; i < std::min(most_warnings, opened->file.messages.size()); ++i)
     editor_.notify(opened->file.messages[i]);
   if (const char* note = opened->file.native ? note_about_frames(*opened->file.document) : nullptr)
-    editor_.notify(Notice::Kind::info, editor_.language(note));
+    editor_.inform(note);
   if (!opened->sample) recent_.used(opened->path);
   hooks_.log("opened", opened->path);
 }
@@ -213,7 +220,7 @@ void DocumentSession::start_save(const fs::path& path, std::function<void()> the
   const fs::path own_lock = lock_.held() ? lock_.path() : fs::path();
   const Disk expected = is_own_file(path) && !overwrite ? disk_ : Disk{};
   background_.run(
-      fill(translatable("Saving {0}"), {name_of(path)}),
+      Phrase(translatable("Saving {0}"), {name_of(path)}),
       [saved, own_lock, expected](const CancelToken&) {
         const fs::path lock = lock_path_of(saved->path);
         if (lock != own_lock) saved->attempt = FileLock::try_lock(lock, unix_seconds());
@@ -234,14 +241,10 @@ void DocumentSession::start_save(const fs::path& path, std::function<void()> the
 }
 
 void DocumentSession::finish_save(Saved& saved, const std::function<void()>& then) {
-  const Language& tr = editor_.language;
-  if (saved.attempt.outcome == Outcome::taken)
-    return editor_.notify(make_error(
-        e_document_locked, name_of(saved.path) + " is open in another window and was not overwritten.",
-        "Close it there, or save under another name."));
+  if (saved.attempt.outcome == Outcome::taken) return editor_.notify(in_use(saved.path));
   if (saved.changed_on_disk) return ask_about_change(saved.path, then);
   if (!saved.result.ok()) return editor_.notify(saved.result.error());
-  editor_.notify(Notice::Kind::info, fill(tr("Saved {0}."), {name_of(saved.path)}));
+  editor_.inform({"Saved {0}.", {name_of(saved.path)}});
   recent_.used(saved.path);
   if (saved.document_number == editor_.documents) {
     editor_.path = saved.path;
@@ -270,18 +273,15 @@ void DocumentSession::save_copy(const fs::path& given) {
   const fs::path path = full_path(given);
   if (is_own_file(path)) return save(path, {});
   background_.run(
-      fill(translatable("Saving {0}"), {name_of(path)}),
+      Phrase(translatable("Saving {0}"), {name_of(path)}),
       [path, document = editor_.history.current()](const CancelToken&) -> Result<Done> {
         const auto attempt = FileLock::try_lock(lock_path_of(path), unix_seconds());
-        if (attempt.outcome == Outcome::taken)
-          return make_error(e_document_locked,
-                            name_of(path) + " is open in another window and was not overwritten.",
-                            "Close it there, or save under another name.");
+        if (attempt.outcome == Outcome::taken) return in_use(path);
         return save_document(document, path);
       },
       [this, path](const Result<Done>& saved) {
         if (!saved.ok()) return editor_.notify(saved.error());
-        editor_.notify(Notice::Kind::info, fill(editor_.language("Saved a copy as {0}."), {name_of(path)}));
+        editor_.inform({"Saved a copy as {0}.", {name_of(path)}});
         hooks_.log("copied", path);
       });
 }
@@ -293,7 +293,7 @@ void DocumentSession::revert() {
     Result<Document> document;
   };
   background_.run(
-      fill(translatable("Opening {0}"), {name_of(path)}),
+      Phrase(translatable("Opening {0}"), {name_of(path)}),
       [path](const CancelToken&) {
         const auto stamp = stamp_of(path);
         return Reverted{stamp, load_document(path)};
@@ -406,11 +406,10 @@ void DocumentSession::finish_recovery(const std::string& id, Recovered& recovere
   recoveries_.remove(id);
   workbench_.offers().recovery_places = 0;
   if (in_use)
-    editor_.notify(Notice::Kind::warning,
-                   fill(tr("{0} is open in another window: the recovered work has no file yet."),
-                        {name_of(note.original)}));
+    editor_.warn(
+        {"{0} is open in another window: the recovered work has no file yet.", {name_of(note.original)}});
   else
-    editor_.notify(Notice::Kind::info, tr("The work is recovered. Save it to keep it."));
+    editor_.inform("The work is recovered. Save it to keep it.");
   hooks_.log("recovered", note.original);
 }
 

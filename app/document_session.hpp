@@ -11,10 +11,10 @@
 
 #include "app/files/open_file.hpp"
 #include "app/jobs/background_work.hpp"
+#include "app/jobs/mesh_questions.hpp"
+#include "app/offers.hpp"
 #include "app/persistence/autosaver.hpp"
 #include "app/persistence/xdg_folders.hpp"
-#include "app/recent_offers.hpp"
-#include "app/recovery_offers.hpp"
 #include "ui/shell/workbench.hpp"
 
 namespace hariko {
@@ -38,9 +38,8 @@ class DocumentSession {
   /// Looks for recovery copies of earlier sessions and for recent files, and updates the workbench's offers.
   void find_offers(Pictures& pictures);
 
-  /// Opens a file. Asks first where a mesh is broken, or has corners nearly at the same place, unless `join`
-  /// decides about these.
-  void open(const std::filesystem::path& path, const JoinChoice& join = {});
+  /// Opens a file. Asks first where a mesh is broken or has faults, unless `answers` decides about these.
+  void open(const std::filesystem::path& path, const MeshAnswers& answers = {});
   /// Saves the document; `then` is called after success.
   void save(const std::filesystem::path& path, std::function<void()> then);
   /// Saves a copy; the document keeps its file.
@@ -80,9 +79,9 @@ class DocumentSession {
   void install(const std::shared_ptr<Opened>& opened, Mode mode);
   void ask_about_lock(const std::shared_ptr<Opened>& opened);
   void warn_about_lock(const std::filesystem::path& path, const FileLock::Attempt& attempt);
-  void ask_about_mesh(const std::shared_ptr<Opened>& opened);
+  void ask_about_mesh(const std::shared_ptr<Opened>& opened, const MeshAnswers& answers);
   void ask_about_density(const std::shared_ptr<Opened>& opened);
-  void ask_about_corners(const std::shared_ptr<Opened>& opened);
+  void ask_about_faults_of(const std::shared_ptr<Opened>& opened, const MeshAnswers& answers);
   void start_save(const std::filesystem::path& path, std::function<void()> then, bool overwrite);
   void finish_save(Saved& saved, const std::function<void()>& then);
   void ask_about_change(const std::filesystem::path& path, std::function<void()> then);

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""How the frames of a drag on the sample of 1,000 faces are spent: our own work, OpenGL, and from the pointer to the
+"""Times of the frames of a drag on the sample of 1,000 faces: our own work, OpenGL, and from the pointer to the
 surface. Needs Xvfb, xdotool and a build of the program; on a machine that does nothing else.
 
     python3 bench/drag_times.py build/release/app/hariko

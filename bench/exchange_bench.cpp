@@ -21,7 +21,7 @@ namespace {
 constexpr std::int64_t triangles = 1'000'000;
 constexpr int repeats = 5;
 
-/// What a format is called here and by assimp, and how assimp is asked for points that triangles share, which
+/// Format under its names here and in assimp, and how assimp is asked for points that triangles share, which
 /// is what our readers give: OBJ and PLY have indices that it may keep, STL has none.
 struct Format {
   const char* ending;

@@ -18,7 +18,7 @@
 namespace hariko {
 namespace {
 
-constexpr int steps = 12;  ///< of the samples along a patch's sides
+constexpr int steps = 12;  ///< samples along a patch's sides
 
 /// Plain "v" and "f" lines; what follows a slash is left out.
 PolygonMesh read_obj(const std::string& name) {

@@ -57,10 +57,6 @@ BENCHMARK_CAPTURE(control_points_of_a_cap, umbilic, GaussMode::umbilic)
     ->Arg(3000)
     ->Arg(10000)
     ->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(control_points_of_a_cap, minkowski, GaussMode::minkowski)
-    ->Arg(200)
-    ->Arg(1000)
-    ->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(control_points_of_a_cap, position, GaussMode::position)
     ->Arg(200)
     ->Arg(1000)

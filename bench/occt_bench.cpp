@@ -34,7 +34,7 @@ constexpr int repeats = 5;
 constexpr int check_density = 150;
 /// Angular deflection wide enough for the linear one alone to decide.
 constexpr double any_angle = 1.5;
-constexpr double lower = 0.85;  ///< what the deflection is multiplied by until the mesh passes
+constexpr double lower = 0.85;  ///< factor on the deflection until the mesh passes
 
 /// Time of the processor, of all threads: what else runs on the machine does not count.
 double processor_milliseconds() {

@@ -5,50 +5,26 @@
 #include <epoxy/gl.h>
 
 #include <chrono>
-#include <cmath>
-#include <filesystem>
+#include <string>
 
-#include "core/base/files/file_io.hpp"
+#include "bench/photographs.hpp"
 #include "render/offscreen.hpp"
 #include "render/renderer.hpp"
 
 namespace hariko {
 namespace {
 
-constexpr PixelSize eight_megapixels{3464, 2310};
 constexpr int pictures = 20;
 constexpr std::size_t bytes_a_frame = std::size_t(8) << 20;  // as in the window
 
-/// Waves of colour with some grain: neither flat nor noise.
-Image photograph(PixelSize size) {
-  Image image(size.width, size.height);
-  for (int y = 0; y < size.height; ++y)
-    for (int x = 0; x < size.width; ++x) {
-      std::uint8_t* p = image.pixel(x, y);
-      for (int c = 0; c < 3; ++c)
-        p[c] =
-            static_cast<std::uint8_t>(128 + 100 * std::sin(0.01 * (x + 2 * y) + c) + (7 * x + 13 * y) % 17);
-      p[3] = 255;
-    }
-  return image;
-}
-
-std::string png_of(const Image& image) {
-  const auto path = std::filesystem::temp_directory_path() / "hariko_reference_bench.png";
-  (void)write_png(path, image);
-  std::string bytes = read_file(path).value();
-  std::filesystem::remove(path);
-  return bytes;
-}
-
 void decode(benchmark::State& state) {
-  const std::string file = png_of(photograph(eight_megapixels));
+  const std::string file = png_of(bench_photograph(eight_megapixels));
   for (auto _ : state) benchmark::DoNotOptimize(decode_reference(file));
 }
 BENCHMARK(decode)->Unit(benchmark::kMillisecond);
 
 Scene scene_of_twenty() {
-  const auto decoded = decode_reference(png_of(photograph(eight_megapixels)));
+  const auto decoded = decode_reference(png_of(bench_photograph(eight_megapixels)));
   Scene scene;
   for (int i = 0; i < pictures; ++i) {
     ScenePicture picture;

@@ -1,4 +1,4 @@
-// Why conjugate gradients: the same systems by sparse factorisation. Factor and back-substitution (three
+// Conjugate gradients against sparse factorisation of the same systems. Factor and back-substitution (three
 // right-hand sides) are timed apart, since a factor may be kept while connectivity and tensions stand.
 
 #include <benchmark/benchmark.h>

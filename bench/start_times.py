@@ -55,14 +55,14 @@ def stop(program):
 
 
 def processor_seconds(pid):
-    """Of a process, its threads and its children that have ended."""
+    """Processor time of a process, its threads and its children that have ended, seconds."""
     with open(f"/proc/{pid}/stat", encoding="utf-8") as file:
         fields = file.read().rpartition(")")[2].split()
     return sum(int(field) for field in fields[11:15]) / os.sysconf("SC_CLK_TCK")
 
 
 def by_its_log(program, home):
-    """What Hariko says of its first frame."""
+    """Times that Hariko's log gives of its first frame."""
     log = os.path.join(home, "log.jsonl")
     with Display() as display:
         running = subprocess.Popen([program, "--test-log", log], env=environment(display, home), cwd=home)

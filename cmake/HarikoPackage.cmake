@@ -1,4 +1,4 @@
-# What `cmake --install` copies and `cpack -G DEB` packs. Nothing installed holds an absolute path: the program finds its
+# Installed files and the Debian package. Nothing installed holds an absolute path: the program finds its
 # data from where it lies, so a prefix can be moved.
 include(GNUInstallDirs)
 
@@ -93,7 +93,7 @@ triangles within a tolerance (OBJ, STL, 3MF, PLY, glTF, OFF), as spline faces
 for CAD (STEP, IGES), and as paper models to print, cut out and glue. The same
 program does all of it from the command line, without a display.")
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
-# What is loaded when the program runs: OpenGL with its software renderer, what GLFW 3.3 asks X for, fonts.
+# Libraries loaded at run time: OpenGL with its software renderer, what GLFW 3.3 asks X for; and fonts.
 set(CPACK_DEBIAN_PACKAGE_DEPENDS "libgl1, libegl1, libgl1-mesa-dri, libxcursor1, libxext6, libxi6, libxinerama1, libxrandr2, \
 libxrender1, libx11-xcb1, fonts-inter, fonts-font-awesome")
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "fonts-noto-cjk")

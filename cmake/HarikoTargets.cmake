@@ -1,4 +1,4 @@
-# What nearly every file includes, compiled once for libraries and once for test programs, whose flags differ.
+# Precompiled headers of what nearly every file includes, one for libraries and one for test programs: flags differ.
 # The benchmarks' build goes without, and compiles every file alone: it shows where a file relies on what only others
 # include.
 set(HARIKO_PRECOMPILE ON)
@@ -48,7 +48,7 @@ if(HARIKO_PRECOMPILE AND HARIKO_TESTS)
   endif()
 endif()
 
-# Which of these a target begins with: that of the interface where it is asked for and there.
+# Precompiled header that a target begins with: that of the interface where it is asked for and there.
 function(hariko_precompile NAME USUAL INTERFACE)
   if(INTERFACE AND TARGET hariko_precompiled_interface)
     string(REPLACE hariko_precompiled hariko_precompiled_interface USUAL ${USUAL})

@@ -10,11 +10,6 @@ namespace hariko::gl {
 
 namespace {
 
-const void* byte_offset(std::size_t bytes) {
-  // NOLINTNEXTLINE(performance-no-int-to-ptr): GL takes offsets as pointers
-  return reinterpret_cast<const void*>(bytes);
-}
-
 Vector3 area_of(const DisplayPolyhedron& bodies, Index f) {
   const auto corners = bodies.face(f);
   return newell_normal(corners.size(), [&](std::size_t i) { return bodies.position(corners[i]); });

@@ -1,4 +1,4 @@
-#include "render/dot_text.hpp"
+#include "render/text_painter.hpp"
 
 #include <algorithm>
 #include <array>

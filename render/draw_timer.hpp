@@ -31,7 +31,7 @@ class DrawTimer {
 
  private:
   Query query_;
-  int samples_ = 0;  ///< of the measurement that is not known yet; 0: there is none
+  int samples_ = 0;  ///< samples in the measurement that is not known yet; 0: there is none
 };
 
 }  // namespace hariko::gl

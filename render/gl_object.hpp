@@ -4,11 +4,12 @@
 
 #include <epoxy/gl.h>
 
+#include <cstddef>
 #include <utility>
 
 namespace hariko::gl {
 
-/// Owner of a GL name. Traits has create() -> GLuint and destroy(GLuint).
+/// Owner of a GL name. Traits has create(GLuint&) and destroy(GLuint).
 template <class Traits>
 class Object {
  public:
@@ -16,7 +17,7 @@ class Object {
   /// Creates a GL object; the default constructor creates none.
   static Object make() {
     Object object;
-    object.name_ = Traits::create();
+    Traits::create(object.name_);
     return object;
   }
   Object(Object&& other) noexcept : name_(std::exchange(other.name_, 0)) {}
@@ -36,55 +37,31 @@ class Object {
 
 /// Creation and deletion of buffers; likewise the traits below for their kinds of objects.
 struct BufferTraits {
-  static GLuint create() {
-    GLuint name = 0;
-    glGenBuffers(1, &name);
-    return name;
-  }
+  static void create(GLuint& name) { glGenBuffers(1, &name); }
   static void destroy(GLuint name) { glDeleteBuffers(1, &name); }
 };
 struct VertexArrayTraits {
-  static GLuint create() {
-    GLuint name = 0;
-    glGenVertexArrays(1, &name);
-    return name;
-  }
+  static void create(GLuint& name) { glGenVertexArrays(1, &name); }
   static void destroy(GLuint name) { glDeleteVertexArrays(1, &name); }
 };
 struct TextureTraits {
-  static GLuint create() {
-    GLuint name = 0;
-    glGenTextures(1, &name);
-    return name;
-  }
+  static void create(GLuint& name) { glGenTextures(1, &name); }
   static void destroy(GLuint name) { glDeleteTextures(1, &name); }
 };
 struct RenderbufferTraits {
-  static GLuint create() {
-    GLuint name = 0;
-    glGenRenderbuffers(1, &name);
-    return name;
-  }
+  static void create(GLuint& name) { glGenRenderbuffers(1, &name); }
   static void destroy(GLuint name) { glDeleteRenderbuffers(1, &name); }
 };
 struct FramebufferTraits {
-  static GLuint create() {
-    GLuint name = 0;
-    glGenFramebuffers(1, &name);
-    return name;
-  }
+  static void create(GLuint& name) { glGenFramebuffers(1, &name); }
   static void destroy(GLuint name) { glDeleteFramebuffers(1, &name); }
 };
 struct ProgramTraits {
-  static GLuint create() { return glCreateProgram(); }
+  static void create(GLuint& name) { name = glCreateProgram(); }
   static void destroy(GLuint name) { glDeleteProgram(name); }
 };
 struct QueryTraits {
-  static GLuint create() {
-    GLuint name = 0;
-    glGenQueries(1, &name);
-    return name;
-  }
+  static void create(GLuint& name) { glGenQueries(1, &name); }
   static void destroy(GLuint name) { glDeleteQueries(1, &name); }
 };
 
@@ -95,5 +72,10 @@ using Renderbuffer = Object<RenderbufferTraits>;
 using Framebuffer = Object<FramebufferTraits>;
 using ProgramName = Object<ProgramTraits>;
 using Query = Object<QueryTraits>;
+
+/// Offset into a bound buffer, as GL takes it.
+inline const void* byte_offset(std::size_t bytes) {
+  return reinterpret_cast<const void*>(bytes);  // NOLINT(performance-no-int-to-ptr)
+}
 
 }  // namespace hariko::gl

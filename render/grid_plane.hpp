@@ -24,7 +24,7 @@ std::optional<SidePlane> side_plane(const Camera& camera);
 
 /// Place of a view's grid.
 struct GridPlace {
-  Vector3 centre = Vector3::Zero();    ///< of the drawn part: a crossing of coarse lines near the target
+  Vector3 centre = Vector3::Zero();    ///< the drawn part's: a crossing of coarse lines near the target
   Matrix3 axes = Matrix3::Identity();  ///< columns: across, up, normal
   Vector2 zero = Vector2::Zero();      ///< the plane's zero from the centre, across and up
   std::array<int, 2> colours{0, 1};    ///< axes whose colours the lines through zero have

@@ -4,16 +4,11 @@
 #include <cmath>
 #include <cstddef>
 
-#include "render/tension_colors.hpp"
+#include "render/element_colors.hpp"
 
 namespace hariko::gl {
 
 namespace {
-
-const void* byte_offset(std::size_t bytes) {
-  // NOLINTNEXTLINE(performance-no-int-to-ptr): GL takes offsets as pointers
-  return reinterpret_cast<const void*>(bytes);
-}
 
 GLsizeiptr signed_size(std::size_t bytes) {
   return static_cast<GLsizeiptr>(bytes);
@@ -121,6 +116,20 @@ void set_up_line_instances(GLuint segments, GLuint values) {
   }
 }
 
+void LineInstances::upload(std::span<const CurveSegment> segments, std::span<const MapPoint> values,
+                           std::size_t& uploaded) {
+  count_ = static_cast<GLsizei>(segments.size());
+  array_ = VertexArray::make();
+  if (segments.empty()) return;
+  glBindVertexArray(array_.name());
+  segments_ = filled_buffer(GL_ARRAY_BUFFER, segments.size_bytes(), segments.data());
+  values_ = values.empty() ? Buffer() : filled_buffer(GL_ARRAY_BUFFER, values.size_bytes(), values.data());
+  set_up_line_instances(segments_.name(), values_.name());
+  uploaded += segments.size_bytes() + values.size_bytes();
+  glBindVertexArray(0);
+  glBindBuffer(GL_ARRAY_BUFFER, 0);
+}
+
 MeshBuffers::MeshBuffers(const DisplayMesh& mesh, IndexCache& indices, std::size_t& uploaded)
     : vertex_array_(VertexArray::make()),
       indices_(indices.get(mesh.pattern(), mesh.patch_count(), uploaded)) {
@@ -209,24 +218,8 @@ void MeshBuffers::upload_curves(const DisplayMesh& mesh, std::size_t& uploaded) 
         }
     }
   }
-  for (std::size_t k = 0; k < curves.segments.size(); ++k) {
-    const auto& segments = curves.segments[k];
-    curve_counts_[k] = static_cast<GLsizei>(segments.size());
-    if (segments.empty()) continue;
-    curve_arrays_[k] = VertexArray::make();
-    glBindVertexArray(curve_arrays_[k].name());
-    curve_buffers_[k] =
-        filled_buffer(GL_ARRAY_BUFFER, segments.size() * sizeof(CurveSegment), segments.data());
-    uploaded += segments.size() * sizeof(CurveSegment);
-    if (has_curve_values_) {
-      curve_values_[k] =
-          filled_buffer(GL_ARRAY_BUFFER, values[k].size() * sizeof(MapPoint), values[k].data());
-      uploaded += values[k].size() * sizeof(MapPoint);
-    }
-    set_up_line_instances(curve_buffers_[k].name(), has_curve_values_ ? curve_values_[k].name() : 0);
-  }
-  glBindVertexArray(0);
-  glBindBuffer(GL_ARRAY_BUFFER, 0);
+  for (std::size_t k = 0; k < curves.segments.size(); ++k)
+    curves_[k].upload(curves.segments[k], values[k], uploaded);
 }
 
 void MeshBuffers::set_patch_colors(std::vector<std::uint8_t> rgba, std::size_t& uploaded) {
@@ -256,22 +249,7 @@ PolyhedronBuffers::PolyhedronBuffers(const DisplayPolyhedron& polyhedron, std::s
         {static_cast<float>(tension_fraction(beta_place(double(beta)))), beta != 1 ? 1.0F : 0.0F});
   }
   upload_point_colors(polyhedron, uploaded);
-  for (std::size_t k = 0; k < segments.size(); ++k) {
-    edge_counts_[k] = static_cast<GLsizei>(segments[k].size());
-    if (segments[k].empty()) continue;
-    edge_arrays_[k] = VertexArray::make();
-    glBindVertexArray(edge_arrays_[k].name());
-    edge_buffers_[k] =
-        filled_buffer(GL_ARRAY_BUFFER, segments[k].size() * sizeof(CurveSegment), segments[k].data());
-    uploaded += segments[k].size() * sizeof(CurveSegment);
-    if (has_edge_tensions_) {
-      edge_values_[k] = filled_buffer(GL_ARRAY_BUFFER, values[k].size() * sizeof(MapPoint), values[k].data());
-      uploaded += values[k].size() * sizeof(MapPoint);
-    }
-    set_up_line_instances(edge_buffers_[k].name(), has_edge_tensions_ ? edge_values_[k].name() : 0);
-  }
-  glBindVertexArray(0);
-  glBindBuffer(GL_ARRAY_BUFFER, 0);
+  for (std::size_t k = 0; k < segments.size(); ++k) edges_[k].upload(segments[k], values[k], uploaded);
 }
 
 void PolyhedronBuffers::upload_point_colors(const DisplayPolyhedron& polyhedron, std::size_t& uploaded) {
@@ -292,25 +270,14 @@ void PolyhedronBuffers::upload_point_colors(const DisplayPolyhedron& polyhedron,
 MarkBuffers::MarkBuffers(const EdgeMarks& marks, std::size_t& uploaded) {
   for (std::size_t k = 0; k < marks.classes.size(); ++k) {
     const EdgeMarks::Class& from = marks.classes[k];
-    counts_[k] = static_cast<GLsizei>(from.segments.size());
-    if (from.segments.empty()) continue;
     std::vector<MapPoint> lengths;
     lengths.reserve(2 * from.lengths.size());
     for (const auto& [begin, end] : from.lengths) lengths.insert(lengths.end(), {{begin, 1}, {end, 1}});
-    arrays_[k] = VertexArray::make();
-    glBindVertexArray(arrays_[k].name());
-    segments_[k] =
-        filled_buffer(GL_ARRAY_BUFFER, from.segments.size() * sizeof(CurveSegment), from.segments.data());
-    lengths_[k] = filled_buffer(GL_ARRAY_BUFFER, lengths.size() * sizeof(MapPoint), lengths.data());
-    uploaded += from.segments.size() * sizeof(CurveSegment) + lengths.size() * sizeof(MapPoint);
-    set_up_line_instances(segments_[k].name(), lengths_[k].name());
+    lines_[k].upload(from.segments, lengths, uploaded);
   }
-  glBindVertexArray(0);
-  glBindBuffer(GL_ARRAY_BUFFER, 0);
 }
 
-CombBuffers::CombBuffers(const CombLines& combs, std::size_t& uploaded)
-    : tooth_array_(VertexArray::make()), envelope_array_(VertexArray::make()) {
+CombBuffers::CombBuffers(const CombLines& combs, std::size_t& uploaded) {
   const std::size_t bytes = combs.teeth.size() * sizeof(combs.teeth[0]);
   teeth_.allocate(bytes, combs.teeth.data(), GL_R32F, GL_STREAM_DRAW);
   const auto stride = static_cast<Index>(combs.density + 1);
@@ -323,53 +290,30 @@ CombBuffers::CombBuffers(const CombLines& combs, std::size_t& uploaded)
     if (at + 1 == stride) continue;
     envelope.push_back({{at > 0 ? tip - 2 : tip, tip, tip + 2, at + 2 < stride ? tip + 4 : tip + 2}});
   }
-  tooth_count_ = static_cast<GLsizei>(teeth.size());
-  envelope_count_ = static_cast<GLsizei>(envelope.size());
-  const auto set_up = [&](const VertexArray& array, Buffer& buffer,
-                          const std::vector<CurveSegment>& segments) {
-    if (segments.empty()) return;
-    glBindVertexArray(array.name());
-    buffer = filled_buffer(GL_ARRAY_BUFFER, segments.size() * sizeof(CurveSegment), segments.data());
-    set_up_line_instances(buffer.name(), 0);
-  };
-  set_up(tooth_array_, tooth_segments_, teeth);
-  set_up(envelope_array_, envelope_segments_, envelope);
-  uploaded += bytes + (teeth.size() + envelope.size()) * sizeof(CurveSegment);
-  glBindVertexArray(0);
-  glBindBuffer(GL_ARRAY_BUFFER, 0);
+  uploaded += bytes;
+  tooth_lines_.upload(teeth, {}, uploaded);
+  envelope_.upload(envelope, {}, uploaded);
 }
 
-FacetLineBuffers::FacetLineBuffers(const FacetLines& lines, std::size_t& uploaded)
-    : array_(VertexArray::make()), count_(static_cast<GLsizei>(lines.edges.size())) {
-  if (lines.edges.empty()) return;
+FacetLineBuffers::FacetLineBuffers(const FacetLines& lines, std::size_t& uploaded) {
   std::vector<CurveSegment> segments;
   segments.reserve(lines.edges.size());
   for (const auto& [a, b] : lines.edges) segments.push_back({{a, a, b, b}});
-  points_.allocate(lines.points.size() * sizeof(lines.points[0]), lines.points.data(), GL_R32F,
-                   GL_STATIC_DRAW);
-  glBindVertexArray(array_.name());
-  segments_ = filled_buffer(GL_ARRAY_BUFFER, segments.size() * sizeof(CurveSegment), segments.data());
-  set_up_line_instances(segments_.name(), 0);
-  uploaded += lines.points.size() * sizeof(lines.points[0]) + segments.size() * sizeof(CurveSegment);
-  glBindVertexArray(0);
-  glBindBuffer(GL_ARRAY_BUFFER, 0);
+  const std::size_t bytes = lines.points.size() * sizeof(lines.points[0]);
+  points_.allocate(bytes, lines.points.data(), GL_R32F, GL_STATIC_DRAW);
+  uploaded += bytes;
+  lines_.upload(segments, {}, uploaded);
 }
 
-SectionBuffers::SectionBuffers(const DisplayMesh& mesh, const LocalPlane& plane, std::size_t& uploaded)
-    : array_(VertexArray::make()) {
+SectionBuffers::SectionBuffers(const DisplayMesh& mesh, const LocalPlane& plane, std::size_t& uploaded) {
   const auto pieces = section_curve(mesh, plane);
-  count_ = static_cast<GLsizei>(pieces.size());
-  if (pieces.empty()) return;
   std::vector<CurveSegment> segments;
   segments.reserve(pieces.size());
   for (Index i = 0; i < pieces.size(); ++i) segments.push_back({{2 * i, 2 * i, 2 * i + 1, 2 * i + 1}});
-  points_.allocate(pieces.size() * sizeof(pieces[0]), pieces.data(), GL_R32F, GL_STREAM_DRAW);
-  glBindVertexArray(array_.name());
-  segments_ = filled_buffer(GL_ARRAY_BUFFER, segments.size() * sizeof(CurveSegment), segments.data());
-  set_up_line_instances(segments_.name(), 0);
-  uploaded += pieces.size() * sizeof(pieces[0]) + segments.size() * sizeof(CurveSegment);
-  glBindVertexArray(0);
-  glBindBuffer(GL_ARRAY_BUFFER, 0);
+  const std::size_t bytes = pieces.size() * sizeof(pieces[0]);
+  points_.allocate(bytes, pieces.data(), GL_R32F, GL_STREAM_DRAW);
+  uploaded += bytes;
+  lines_.upload(segments, {}, uploaded);
 }
 
 }  // namespace hariko::gl

@@ -28,6 +28,32 @@ struct TexturedBuffer {
   void bind_texture(int unit) const;
 };
 
+/// Element of a value buffer. An undefined value has defined = 0 and the mean of its defined neighbours as
+/// value, so that shaders can draw the grey spot of an undefined corner at a fixed size on the screen instead
+/// of whole triangles.
+struct MapPoint {
+  float value = 0, defined = 0;
+};
+
+/// Sets up the bound vertex array for line instances: points from `segments`, values from `values` unless it
+/// is 0.
+void set_up_line_instances(GLuint segments, GLuint values);
+
+/// Line segments, drawn as instances.
+class LineInstances {
+ public:
+  /// Uploads segments, and two values for each unless there are none. Leaves no vertex array bound.
+  void upload(std::span<const CurveSegment> segments, std::span<const MapPoint> values,
+              std::size_t& uploaded);
+  GLuint array() const { return array_.name(); }
+  GLsizei count() const { return count_; }
+
+ private:
+  VertexArray array_;
+  Buffer segments_, values_;
+  GLsizei count_ = 0;
+};
+
 /// Triangle indices of patch blocks on one grid; shared by meshes of the same pattern.
 struct PatchIndices {
   Buffer buffer;
@@ -61,14 +87,13 @@ class MeshBuffers {
   const TexturedBuffer& vertices() const { return vertices_; }
   const TexturedBuffer& patch_colors() const { return patch_colors_; }
   /// Instanced vertex array over the segments of one kind of curves.
-  GLuint curve_array(CurveKind kind) const { return curve_arrays_[std::size_t(kind)].name(); }
+  GLuint curve_array(CurveKind kind) const { return curves_[std::size_t(kind)].array(); }
   /// Number of segments of one kind of curves.
-  GLsizei curve_count(CurveKind kind) const { return curve_counts_[std::size_t(kind)]; }
+  GLsizei curve_count(CurveKind kind) const { return curves_[std::size_t(kind)].count(); }
   bool has_curve_values() const { return has_curve_values_; }
 
  private:
   void upload_run(const DisplayMesh& mesh, std::size_t begin, std::size_t end, std::size_t& uploaded);
-  void upload_values(const DisplayMesh& mesh, std::size_t& uploaded);
   void upload_curves(const DisplayMesh& mesh, std::size_t& uploaded);
 
   VertexArray vertex_array_;
@@ -79,9 +104,7 @@ class MeshBuffers {
   /// Uploaded chunks, kept so that addresses stay unique.
   std::vector<std::shared_ptr<const DisplayMesh::Chunk>> chunks_;
   std::vector<std::uint8_t> color_bytes_;
-  std::array<VertexArray, curve_kind_count> curve_arrays_;
-  std::array<Buffer, curve_kind_count> curve_buffers_, curve_values_;
-  std::array<GLsizei, curve_kind_count> curve_counts_{};
+  std::array<LineInstances, curve_kind_count> curves_;
   std::shared_ptr<const std::vector<float>> seam_values_;
   bool has_curve_values_ = false;
 };
@@ -91,8 +114,8 @@ class PolyhedronBuffers {
  public:
   PolyhedronBuffers(const DisplayPolyhedron& polyhedron, std::size_t& uploaded);
   const TexturedBuffer& positions() const { return positions_; }
-  GLuint edge_array(EdgeKind kind) const { return edge_arrays_[std::size_t(kind)].name(); }
-  GLsizei edge_count(EdgeKind kind) const { return edge_counts_[std::size_t(kind)]; }
+  GLuint edge_array(EdgeKind kind) const { return edges_[std::size_t(kind)].array(); }
+  GLsizei edge_count(EdgeKind kind) const { return edges_[std::size_t(kind)].count(); }
   GLsizei point_count() const { return point_count_; }
   /// Whether any edge, or any vertex, has a tension other than the default: edge arrays then carry
   /// `tension_fraction`, and `point_colors` the vertices' colours with alpha 0 for the default.
@@ -105,10 +128,7 @@ class PolyhedronBuffers {
 
   TexturedBuffer positions_, point_colors_;
   bool has_edge_tensions_ = false, has_point_tensions_ = false;
-  std::array<Buffer, edge_kind_count> edge_values_;
-  std::array<VertexArray, edge_kind_count> edge_arrays_;
-  std::array<Buffer, edge_kind_count> edge_buffers_;
-  std::array<GLsizei, edge_kind_count> edge_counts_{};
+  std::array<LineInstances, edge_kind_count> edges_;
   GLsizei point_count_ = 0;
 };
 
@@ -116,13 +136,11 @@ class PolyhedronBuffers {
 class MarkBuffers {
  public:
   MarkBuffers(const EdgeMarks& marks, std::size_t& uploaded);
-  GLuint array(std::size_t mark) const { return arrays_[mark].name(); }
-  GLsizei count(std::size_t mark) const { return counts_[mark]; }
+  GLuint array(std::size_t mark) const { return lines_[mark].array(); }
+  GLsizei count(std::size_t mark) const { return lines_[mark].count(); }
 
  private:
-  std::array<VertexArray, 3> arrays_;
-  std::array<Buffer, 3> segments_, lengths_;
-  std::array<GLsizei, 3> counts_{};
+  std::array<LineInstances, 3> lines_;
 };
 
 /// GPU copy of curvature combs: the foot of tooth k is point 2 k, its tip point 2 k + 1.
@@ -130,16 +148,12 @@ class CombBuffers {
  public:
   CombBuffers(const CombLines& combs, std::size_t& uploaded);
   const TexturedBuffer& teeth() const { return teeth_; }
-  GLuint tooth_array() const { return tooth_array_.name(); }
-  GLsizei tooth_count() const { return tooth_count_; }
-  GLuint envelope_array() const { return envelope_array_.name(); }
-  GLsizei envelope_count() const { return envelope_count_; }
+  const LineInstances& tooth_lines() const { return tooth_lines_; }
+  const LineInstances& envelope() const { return envelope_; }
 
  private:
   TexturedBuffer teeth_;
-  VertexArray tooth_array_, envelope_array_;
-  Buffer tooth_segments_, envelope_segments_;
-  GLsizei tooth_count_ = 0, envelope_count_ = 0;
+  LineInstances tooth_lines_, envelope_;
 };
 
 /// GPU copy of the edges of triangles.
@@ -147,14 +161,11 @@ class FacetLineBuffers {
  public:
   FacetLineBuffers(const FacetLines& lines, std::size_t& uploaded);
   const TexturedBuffer& points() const { return points_; }
-  GLuint array() const { return array_.name(); }
-  GLsizei count() const { return count_; }
+  const LineInstances& lines() const { return lines_; }
 
  private:
   TexturedBuffer points_;
-  VertexArray array_;
-  Buffer segments_;
-  GLsizei count_ = 0;
+  LineInstances lines_;
 };
 
 /// GPU copy of the intersection of a mesh with a plane.
@@ -162,25 +173,11 @@ class SectionBuffers {
  public:
   SectionBuffers(const DisplayMesh& mesh, const LocalPlane& plane, std::size_t& uploaded);
   const TexturedBuffer& points() const { return points_; }
-  GLuint array() const { return array_.name(); }
-  GLsizei count() const { return count_; }
+  const LineInstances& lines() const { return lines_; }
 
  private:
   TexturedBuffer points_;
-  VertexArray array_;
-  Buffer segments_;
-  GLsizei count_ = 0;
+  LineInstances lines_;
 };
-
-/// Element of a value buffer. An undefined value has defined = 0 and the mean of its defined neighbours as
-/// value, so that shaders can draw the grey spot of an undefined corner at a fixed size on the screen instead
-/// of whole triangles.
-struct MapPoint {
-  float value = 0, defined = 0;
-};
-
-/// Sets up the bound vertex array for line instances: points from `segments`, values from `values` unless it
-/// is 0.
-void set_up_line_instances(GLuint segments, GLuint values);
 
 }  // namespace hariko::gl

@@ -1,4 +1,4 @@
-#include "render/photo_orientation.hpp"
+#include "render/read_photo.hpp"
 
 #include <algorithm>
 

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "render/ray_cast.hpp"
-#include "render/shown_edges.hpp"
+#include "render/scene.hpp"
 
 namespace hariko {
 

@@ -5,7 +5,7 @@
 
 #include "render/environment.hpp"
 #include "render/image.hpp"
-#include "render/read_jpeg.hpp"
+#include "render/read_photo.hpp"
 #include "render/read_radiance.hpp"
 #include "render/reference_image.hpp"
 
@@ -13,8 +13,8 @@ namespace hariko {
 
 namespace {
 
-constexpr std::uint64_t most_environment_pixels = 100'000'000;  // of PNG and JPEG
-constexpr double brightest = 60'000;                            // what half floats of the GPU hold
+constexpr std::uint64_t most_environment_pixels = 100'000'000;  // limit for PNG and JPEG
+constexpr double brightest = 60'000;                            // largest that half floats of the GPU hold
 
 /// Texels of one side that a pixel of another number of pixels covers, and how far.
 struct Coverage {

@@ -1,11 +1,9 @@
-#include "render/read_jpeg.hpp"
+#include "render/read_photo.hpp"
 
 #include <array>
 #include <csetjmp>
 #include <cstdio>
 #include <string>
-
-#include "render/photo_orientation.hpp"
 
 // Included after cstdio, on which jpeglib.h depends.
 #include <jpeglib.h>

@@ -12,7 +12,7 @@ namespace hariko {
 namespace {
 
 constexpr std::size_t most_header_bytes = 1 << 16;
-constexpr int least_run_width = 8, most_run_width = 32767;  // of rows in the newer encoding
+constexpr int least_run_width = 8, most_run_width = 32767;  // widths of rows in the newer encoding
 
 using Rgbe = std::array<std::uint8_t, 4>;
 
@@ -28,8 +28,8 @@ Message foreign_radiance(const std::string& why) {
 
 struct RadianceHeader {
   PixelSize size;
-  double factor = 1;      ///< of all values
-  std::size_t begin = 0;  ///< of the rows, in the file
+  double factor = 1;      ///< factor on all values
+  std::size_t begin = 0;  ///< beginning of the rows in the file
 };
 
 /// Takes the next line off a text, without its end; nothing where it has none.

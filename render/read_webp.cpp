@@ -1,6 +1,4 @@
-#include "render/read_webp.hpp"
-
-#include "render/photo_orientation.hpp"
+#include "render/read_photo.hpp"
 
 #ifdef HARIKO_WEBP
 #include <webp/decode.h>

@@ -4,8 +4,7 @@
 #include <array>
 
 #include "core/base/files/file_ending.hpp"
-#include "render/read_jpeg.hpp"
-#include "render/read_webp.hpp"
+#include "render/read_photo.hpp"
 
 namespace hariko {
 

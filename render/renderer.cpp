@@ -9,14 +9,13 @@
 #include "core/base/assert.hpp"
 #include "render/buffer_cache.hpp"
 #include "render/draw_timer.hpp"
+#include "render/element_colors.hpp"
+#include "render/emphasis.hpp"
 #include "render/frame_target.hpp"
 #include "render/grid_plane.hpp"
-#include "render/highlights.hpp"
 #include "render/painter.hpp"
-#include "render/patch_colors.hpp"
 #include "render/picture_pass.hpp"
 #include "render/shader_source.hpp"
-#include "render/silhouettes.hpp"
 
 namespace hariko {
 
@@ -194,10 +193,12 @@ void Renderer::State::draw_combs(const gl::Frame& frame, const SceneObject& obje
       object.comb_scale * pixel *
       std::min(comb_pixels / object.combs->typical, longest_comb_pixels / object.combs->greatest);
   constexpr int stride = 6;
-  painter->lines(frame, model, {&buffers.teeth(), stride, buffers.tooth_array(), buffers.tooth_count()},
-                 style.comb_tooth, gl::Depth::visible, 1, look);
-  painter->lines(frame, model, {&buffers.teeth(), stride, buffers.envelope_array(), buffers.envelope_count()},
-                 style.comb_envelope, gl::Depth::visible, 1, look);
+  const auto draw = [&](const gl::LineInstances& lines, const gl::LineStyle& line) {
+    painter->lines(frame, model, {&buffers.teeth(), stride, lines.array(), lines.count()}, line,
+                   gl::Depth::visible, 1, look);
+  };
+  draw(buffers.tooth_lines(), style.comb_tooth);
+  draw(buffers.envelope(), style.comb_envelope);
 }
 
 void Renderer::State::draw_facet_edges(const gl::Frame& frame, const SceneObject& object,
@@ -207,7 +208,7 @@ void Renderer::State::draw_facet_edges(const gl::Frame& frame, const SceneObject
   gl::LineLook look;
   look.depth = object.facet_edges->depth;
   painter->lines(frame, gl::at_origin(object.transform, object.facet_edges->origin),
-                 {&buffers.points(), 3, buffers.array(), buffers.count()}, style.facet_edge,
+                 {&buffers.points(), 3, buffers.lines().array(), buffers.lines().count()}, style.facet_edge,
                  gl::Depth::visible, 1, look);
 }
 
@@ -220,8 +221,8 @@ void Renderer::State::draw_section(const gl::Frame& frame, const SceneObject& ob
                offset = plane.offset - plane.normal.dot(Vector3(model.topRightCorner<3, 1>()));
   if (!(length > 0)) return;
   const gl::SectionBuffers& buffers = section_buffers(object.mesh, {normal / length, offset / length});
-  painter->lines(frame, model, {&buffers.points(), 3, buffers.array(), buffers.count()}, style.section,
-                 gl::Depth::visible, 1);
+  painter->lines(frame, model, {&buffers.points(), 3, buffers.lines().array(), buffers.lines().count()},
+                 style.section, gl::Depth::visible, 1);
 }
 
 void Renderer::State::draw_tensions(const gl::Frame& frame, const SceneObject& object,
@@ -292,8 +293,8 @@ void Renderer::State::draw_scene_lines(const gl::Frame& frame, const Scene& scen
     gl::LineLook look;
     look.depth = one.lines->depth;
     painter->lines(frame, gl::at_origin(Matrix4::Identity(), one.lines->origin),
-                   {&buffers.points(), 3, buffers.array(), buffers.count()}, {one.color, one.width},
-                   gl::Depth::visible, 1, look);
+                   {&buffers.points(), 3, buffers.lines().array(), buffers.lines().count()},
+                   {one.color, one.width}, gl::Depth::visible, 1, look);
   }
 }
 

@@ -23,13 +23,13 @@ struct DrawOptions {
   int picture = 0;  ///< slot of the picture in the renderer: 0 .. most_pictures - 1
   /// Number of bytes of reference pictures that this drawing may upload; the rest follows with later ones.
   std::size_t upload_limit = std::size_t(-1);
-  bool timed = false;  ///< how long the graphics card takes is measured (FrameStatistics::time)
+  bool timed = false;  ///< measures how long the graphics card takes (FrameStatistics::time)
 };
 
 /// Time that the graphics card took for a picture.
 struct PictureTime {
   double milliseconds = 0;
-  int samples = 0;  ///< that were asked for
+  int samples = 0;  ///< number that was asked for
 };
 
 /// Statistics of the last drawing.

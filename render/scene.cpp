@@ -1,5 +1,8 @@
 #include "render/scene.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #include "core/base/assert.hpp"
 
 namespace hariko {
@@ -58,6 +61,65 @@ Box3 Scene::world_box() const {
   Box3 box;
   for (const SceneObject& object : objects) box.extend(object.world_box());
   return box;
+}
+
+bool ScenePicture::seen_by(const Camera& camera) const {
+  constexpr double tolerance = 1e-5;  // radians
+  return !look.only_from || camera.orientation.angularDistance(facing(*look.only_from)) < tolerance;
+}
+
+std::array<Vector3, 4> ScenePicture::corners() const {
+  const auto corner = [&](double x, double y) -> Vector3 {
+    return transform.topLeftCorner<3, 3>() * Vector3(x * half.x(), y * half.y(), 0) + middle();
+  };
+  return {corner(-1, -1), corner(1, -1), corner(1, 1), corner(-1, 1)};
+}
+
+std::optional<double> ScenePicture::hit(const Ray& ray) const {
+  const Vector3 right = transform.col(0).head<3>(), up = transform.col(1).head<3>();
+  const Vector3 normal = right.cross(up);
+  const double towards = normal.dot(ray.direction);
+  if (std::abs(towards) < 1e-9 * normal.norm()) return std::nullopt;  // seen edge-on
+  const double t = normal.dot(middle() - ray.origin) / towards;
+  const Vector3 from_middle = ray.at(t) - middle();
+  const double x = from_middle.dot(right) / right.squaredNorm(), y = from_middle.dot(up) / up.squaredNorm();
+  if (!(t > 0) || std::abs(x) > half.x() || std::abs(y) > half.y()) return std::nullopt;
+  return t;
+}
+
+namespace {
+
+Vector3 vertex_place(const SceneObject& object, Index vertex) {
+  return object.to_world(object.polyhedron->origin, object.polyhedron->positions[vertex]);
+}
+
+}  // namespace
+
+std::optional<bool> runs_forward(const SceneObject& object, Index edge, const EdgeCurves::Run& run) {
+  const auto segments = object.edge_curves->segments(run);
+  const Vector3 begin = object.mesh_vertex(segments.front().vertices[1]);
+  const Vector3 end = object.mesh_vertex(segments.back().vertices[2]);
+  const Vector3 first = vertex_place(object, object.polyhedron->edges[edge][0]);
+  const Vector3 last = vertex_place(object, object.polyhedron->edges[edge][1]);
+  const double close = 1e-3 * ((last - first).norm() + (end - begin).norm());
+  if ((begin - first).norm() <= close && (end - last).norm() <= close) return true;
+  if ((begin - last).norm() <= close && (end - first).norm() <= close) return false;
+  return std::nullopt;
+}
+
+std::vector<Vector3> shown_curve(const SceneObject& object, Index edge) {
+  std::vector<Vector3> out;
+  if (!object.curves_pickable()) return out;
+  for (const EdgeCurves::Run& run : object.edge_curves->of(edge)) {
+    const auto forward = runs_forward(object, edge, run);
+    if (!forward) continue;
+    const auto segments = object.edge_curves->segments(run);
+    out.push_back(object.mesh_vertex(segments.front().vertices[1]));
+    for (const CurveSegment& segment : segments) out.push_back(object.mesh_vertex(segment.vertices[2]));
+    if (!*forward) std::reverse(out.begin(), out.end());
+    break;
+  }
+  return out;
 }
 
 }  // namespace hariko

@@ -3,12 +3,14 @@
 // Scene: a plain description of what to draw, filled by the user interface and the command line, read by the
 // renderer.
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <vector>
 
 #include "core/base/text/enum_words.hpp"
 #include "core/base/vector.hpp"
+#include "core/document/picture_source.hpp"
 #include "core/document/similarity.hpp"
 #include "render/camera.hpp"
 #include "render/color_map.hpp"
@@ -16,10 +18,31 @@
 #include "render/display_polyhedron.hpp"
 #include "render/edge_curves.hpp"
 #include "render/environment.hpp"
-#include "render/scene_picture.hpp"
+#include "render/reference_image.hpp"
 #include "render/surface_lines.hpp"
 
 namespace hariko {
+
+/// Reference picture with its placement.
+struct ScenePicture {
+  std::shared_ptr<const ReferenceImage> image;  ///< null: not decoded yet, or not found; only the frame shows
+  bool missing = false;                         ///< file not found: the frame is crossed out
+  Matrix4 transform = Matrix4::Identity();      ///< object to world, a similarity
+  Vector2 half = {0.5, 0.5};                    ///< half of its sides, in object lengths
+  PictureLook look;
+  bool selected = false, hovered = false;  ///< draws a frame
+
+  /// Whether the picture is visible for a camera: those for one viewing direction vanish while the view
+  /// turns.
+  bool seen_by(const Camera& camera) const;
+  /// Corners in the world, counter-clockwise from the lower left one.
+  std::array<Vector3, 4> corners() const;
+  Vector3 middle() const { return transform.topRightCorner<3, 1>(); }
+  /// Ray parameter of the intersection with the picture, as a multiple of the ray's direction.
+  std::optional<double> hit(const Ray& ray) const;
+
+  friend bool operator==(const ScenePicture&, const ScenePicture&) = default;
+};
 
 /// Frame of reference of zebra stripes and isophotes.
 enum class StripeLock : std::uint8_t {
@@ -69,6 +92,7 @@ struct GridSettings {
     friend bool operator==(const Plane&, const Plane&) = default;
   };
   std::optional<Plane> plane = std::nullopt;
+  friend bool operator==(const GridSettings&, const GridSettings&) = default;
 };
 
 /// Matrix from object to world.
@@ -139,6 +163,7 @@ struct SceneObject {
   Box3 world_box() const;
   /// Appends world points whose hull contains what is shown: at most about `limit` for each part.
   void add_outline(std::vector<Vector3>& points, std::size_t limit = 20'000) const;
+  friend bool operator==(const SceneObject&, const SceneObject&) = default;
 };
 
 /// Free line over the scene, in world coordinates: drag axes, snapping aids.
@@ -147,6 +172,7 @@ struct OverlayLine {
   Color color;
   float width = 1.5F;  ///< pixels
   bool on_top = true;  ///< not hidden by surfaces
+  friend bool operator==(const OverlayLine&, const OverlayLine&) = default;
 };
 
 /// Lines of one look over the surfaces, in world coordinates.
@@ -154,6 +180,7 @@ struct SceneLines {
   std::shared_ptr<const FacetLines> lines;  ///< not null
   Color color;
   float width = 1.5F;  ///< pixels
+  friend bool operator==(const SceneLines&, const SceneLines&) = default;
 };
 
 /// Everything that a picture shows.
@@ -173,10 +200,19 @@ struct Scene {
 
   /// Bounding box of the objects; pictures are excluded, being a background.
   Box3 world_box() const;
+  friend bool operator==(const Scene&, const Scene&) = default;
 };
 
 /// Camera with the whole scene visible, fitted tightly. The first `left` pixel columns (fewer than the width)
 /// stay free for a legend. O(vertices).
 Camera framed(const Camera& camera, const Scene& scene, PixelSize size, int left = 0);
+
+/// Whether a curve runs from the first vertex of its edge to the second (true) or the other way; nothing
+/// where it does not connect them, as for the image of an edge in a live mirror.
+std::optional<bool> runs_forward(const SceneObject& object, Index edge, const EdgeCurves::Run& run);
+
+/// Displayed curve of an edge, in world space from the edge's first vertex to its second, in equal steps of
+/// its fraction; empty where the edge is not picked by a curve of its own.
+std::vector<Vector3> shown_curve(const SceneObject& object, Index edge);
 
 }  // namespace hariko

@@ -7,7 +7,7 @@ namespace hariko::gl {
 
 namespace {
 
-constexpr int environment_unit = 4;  // of textures; those before are the painter's
+constexpr int environment_unit = 4;  // first texture unit here; those before are the painter's
 
 /// Mode number of surface.frag.glsl.
 int surface_mode(SurfaceMap map, bool with_values, bool reflects) {

@@ -32,7 +32,7 @@ class EnvironmentTexture {
 
  private:
   Texture texture_;
-  std::shared_ptr<const EnvironmentLevels> levels_;  ///< what the texture holds
+  std::shared_ptr<const EnvironmentLevels> levels_;  ///< contents of the texture
 };
 
 }  // namespace hariko::gl

@@ -8,8 +8,6 @@
 #include <cstddef>
 #include <string>
 
-#include "render/dot_text.hpp"
-
 namespace hariko {
 
 namespace {

@@ -16,7 +16,7 @@ import tempfile
 
 ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 PICTURES = os.path.join(ROOT, "docs", "pictures")
-WIDTH, HEIGHT, HEAD = 460, 330, 30  # of one picture, pixels
+WIDTH, HEIGHT, HEAD = 460, 330, 30  # sizes of one picture, pixels
 GRID = 4  # intervals a facet's side between samples of the surface, as the program writes them
 PALE, DARK, PLAIN = (247, 243, 236), (122, 32, 20), (214, 209, 201)
 LIGHT = (0.35, -0.5, 0.79)

@@ -24,7 +24,7 @@ PICTURE = "docs/pictures/architecture.svg"
 PAGE = "docs/architecture.md"
 SENTENCE = re.compile(r"^\| `(\w+)/` \|", re.M)
 
-BOX_HEIGHT, LETTER = 34, 8.4  # of a folder of core; no letter of a name is wider on average
+BOX_HEIGHT, LETTER = 34, 8.4  # sizes of a folder of core; no letter of a name is wider on average
 LAYER = (220, 40)
 GAP = 26           # between boxes of a row
 ROW = 78           # from row to row
@@ -118,7 +118,7 @@ class Layout:
     def __init__(self, nodes, arrows, width):
         self.row = rows_of(nodes, arrows)
         self.width = {n: width for n in nodes}
-        self.chains = []  # of each arrow: from its upper end to its lower one
+        self.chains = []  # chain of each arrow: from its upper end to its lower one
         for a, b in arrows:
             threads = [(a, b, r) for r in range(self.row[a] - 1, self.row[b], -1)]
             for t in threads:
@@ -253,7 +253,7 @@ def box(name, x, y, size, kind):
 
 
 def ports(layout):
-    """Where arrows leave and reach boxes: side by side in the order of their other ends."""
+    """Places where arrows leave and reach boxes: side by side in the order of their other ends."""
     x, out = layout.x, {}
     for n in layout.row:
         for ends, key in ((layout.down[n], lambda m, n=n: (n, m)), (layout.up[n], lambda m, n=n: (m, n))):
@@ -328,7 +328,7 @@ def picture(layers, rooms):
 
 
 def faults(top, layers, rooms, text):
-    """How the page and its picture differ from the sources, as sentences."""
+    """Differences of the page and its picture from the sources, as sentences."""
     def read(path):
         try:
             with open(os.path.join(top, path), encoding="utf-8") as stream:

@@ -50,7 +50,7 @@ content() {
   local path
   for path in bin/hariko lib/hariko/modules/hariko_cad.so share/applications/hariko.desktop share/bash-completion/completions/hariko \
     share/doc/hariko/copyright share/doc/hariko/changelog.gz share/doc/hariko/docs/manual.md \
-    share/hariko/languages/ja.json share/hariko/samples/fig2.hariko share/icons/hicolor/scalable/apps/hariko.svg \
+    share/hariko/languages/ja.po share/hariko/samples/fig2.hariko share/icons/hicolor/scalable/apps/hariko.svg \
     share/icons/hicolor/scalable/mimetypes/application-x-hariko.svg share/man/man1/hariko.1.gz \
     share/metainfo/local.hariko.Hariko.metainfo.xml share/mime/packages/hariko.xml share/thumbnailers/hariko.thumbnailer; do
     [ -f "$work/files/usr/$path" ] || fail "no /usr/$path"

@@ -1,12 +1,15 @@
-"""C++ sources as far as counting them needs: statements, functions, classes, names at namespace scope, comments.
+"""C++ sources as far as counting them needs: statements, functions, classes, names at namespace scope, beginnings of
+comments.
 
 Braces and parentheses are followed token by token; nothing is preprocessed and no type is known, which this project's
 style allows. Used by structure.py, whose help defines what a statement is."""
 
 import re
 
-ODD_COMMENT = re.compile(r"(Of|What|Who|Which|That)\b")
-ODD_TAIL = re.compile(r"(of|what|who|which|that)\b")
+# Comments, and what could hide or feign one: raw strings, strings, characters, numbers with separators.
+COMMENT = re.compile(
+    r"""//[^\n]*|R"([^(\s]*)\(.*?\)\1"|"(?:[^"\\\n]|\\.)*"|\b[0-9]['.\w]*|'(?:[^'\\\n]|\\.)+'""", re.S)
+ODD_WORD = re.compile(r"[/<!\s]*(of|what|where|how|who|which|that|when|whose|why)\b", re.I)
 
 TOKEN = re.compile(r"""
     (?P<comment>//(?:[^\n\\]|\\.|\\\n)*|/\*.*?\*/)
@@ -24,12 +27,33 @@ BUILT_IN = {"int", "double", "float", "bool", "char", "unsigned", "signed", "lon
 HELD = "{}"  # stands for a closed pair of braces that belongs to an expression
 
 
+def odd_comments(text):
+    """Comments whose first word is an ODD_WORD, so that they do not name what they are about: lines and texts.
+
+    A comment goes on in whole lines below; behind code in those that begin in its column."""
+    out, line, at = [], 1, 0
+    last_line, last_column, last_behind = -1, 0, False
+    for found in COMMENT.finditer(text):
+        token, begin = found.group(), found.start()
+        if not token.startswith("//"):
+            continue
+        line += text.count("\n", at, begin)
+        at = begin
+        column = begin - text.rfind("\n", 0, begin)
+        behind = text[begin - column + 1:begin].strip() != ""
+        goes_on = not behind and last_line == line - 1 and (column == last_column or not last_behind)
+        if not goes_on and ODD_WORD.match(token):
+            out.append((line, token))
+        last_line, last_column, last_behind = line, column, last_behind if goes_on else behind
+    return out
+
+
 class Scope:
     """Between a pair of braces: which kind, and the tokens since its last statement ended."""
 
     def __init__(self, kind, name="", line=0, goes_on=False):
         self.kind, self.name, self.line, self.goes_on = kind, name, line, goes_on
-        self.members = []  # of a class: tokens of each declaration
+        self.members = []  # tokens of each declaration of a class
         self.clear()
 
     def clear(self):
@@ -46,7 +70,7 @@ class Scope:
 
 
 class Source:
-    """One source: counts, classes, names at namespace scope, beginnings of comments."""
+    """One source: counts, classes, names at namespace scope."""
 
     def __init__(self, path, text):
         self.path, self.lines = path, text.count("\n") + (not text.endswith("\n") and text != "")
@@ -54,7 +78,6 @@ class Source:
         self.functions = []     # (name, lines, first line)
         self.classes = []       # (name, members)
         self.names = []         # (kind, namespace, name, types of parameters)
-        self.odd_comments, self.odd_tails = [], []
         self.code = ""
         self.scopes = [Scope("namespace")]
         self.read(text)
@@ -64,30 +87,16 @@ class Source:
 
     def read(self, text):
         line, at = 1, 0
-        code, last_comment, line_of_code = [], -1, 0
+        code = []
         for found in TOKEN.finditer(text):
             line += text.count("\n", at, found.start())
             at = found.start()
             kind, token = found.lastgroup, found.group()
-            if kind == "comment":
-                tail = line_of_code == line
-                if tail or last_comment != line - 1:
-                    self.take_comment(token, line, tail)
-                last_comment = line + token.count("\n")
-                continue
-            line_of_code = line
-            if kind == "directive":
+            if kind in ("comment", "directive"):
                 continue
             code.append('""' if kind == "text" else token)
             self.take('""' if kind == "text" else token, line)
         self.code = " ".join(code)
-
-    def take_comment(self, token, line, tail):
-        words = token.lstrip("/*!<").lstrip()
-        if ODD_COMMENT.match(words):
-            self.odd_comments.append((line, words))
-        elif tail and ODD_TAIL.match(words):
-            self.odd_tails.append((line, words))
 
     # --- structure
 

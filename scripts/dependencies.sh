@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Installs the Debian packages that are missing, as root or with sudo; does nothing when all are there.
 #   scripts/dependencies.sh [build] [cad] [test] [full] [package] [bench] [bare] [spacenav] [webp]      (default: build)
-# Where packages are not Debian's, it names the libraries that are needed and goes on: CMake tells which are missing.
+# Names the libraries that are needed where packages are not Debian's, and goes on: CMake tells which are missing.
 set -euo pipefail
 
 build_packages=(build-essential clang lld cmake ninja-build pkg-config ccache
@@ -20,7 +20,7 @@ webp_packages=(libwebp-dev)
 # Bare roots of Debian (scripts/bare_machine.sh).
 bare_packages=(mmdebstrap git util-linux)
 bench_packages=(libbenchmark-dev libgtest-dev libassimp-dev "${cad_packages[@]}")
-# What the package is made and checked with (scripts/check_package.sh).
+# Tools that make and check the package (scripts/check_package.sh).
 package_packages=(dpkg-dev file librsvg2-bin lintian desktop-file-utils appstream man-db mandoc libxml2-utils shared-mime-info
   libglib2.0-bin xvfb xauth x11-utils imagemagick)
 

@@ -27,6 +27,7 @@ readers() {
       "core/exchange/archive_3mf/zip_reader.cpp core/exchange/scene_collector.cpp" ;;
     pictures) echo "render/reference_image.cpp render/read_jpeg.cpp render/read_webp.cpp render/photo_orientation.cpp" \
       "render/read_radiance.cpp" ;;
+    po) echo "core/base/text/po_file.cpp core/base/text/plural_forms.cpp" ;;
     cad_text) echo "core/cad/kernel/cad_text.cpp" ;;
     document) find core/document -name 'read_*.cpp' -o -name 'json_*.cpp' | sort ;;
     *) echo "fuzz_coverage.sh: no reader is known for '$1'" >&2; return 1 ;;

@@ -115,7 +115,7 @@ def knot(along=125, around=8):
     normals = [carried((0, 0, 1), tangents[0])]
     for tangent in tangents[1:]:
         normals.append(carried(normals[-1], tangent))
-    # What the frame has turned when it comes round is shared out, so that the last ring meets the first.
+    # The turn of the frame when it comes round is shared out, so that the last ring meets the first.
     last = carried(normals[-1], tangents[0])
     twist = math.atan2(dot(tangents[0], cross(last, normals[0])), dot(last, normals[0]))
     vertices, faces = [], []
@@ -319,7 +319,7 @@ def object_text(number_, name, source, cage=True, network=True):
 
 def document(*objects):
     return (
-        f'{{\n  "format": "hariko",\n  "version": 9,\n  "unit": "mm",\n  "next_object_id": {len(objects) + 1},\n'
+        f'{{\n  "format": "hariko",\n  "version": 10,\n  "unit": "mm",\n  "next_object_id": {len(objects) + 1},\n'
         '  "objects": [\n' + ",\n".join(objects) + "\n  ]\n}\n"
     )
 

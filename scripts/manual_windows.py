@@ -17,8 +17,7 @@ ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 PICTURES = os.path.join(ROOT, "docs", "pictures")
 sys.path.insert(0, os.path.join(ROOT, "tests", "window"))
 sys.dont_write_bytecode = True
-import skin_hands as hands  # noqa: E402  (beside the tests)
-from driver import Window  # noqa: E402
+from driver import Window  # noqa: E402  (beside the tests)
 
 
 def sample(name):
@@ -32,6 +31,39 @@ def command(window, name):
     window.wait_idle()
     window.key("Return")
     window.wait_idle()
+
+
+def empty_document(window):
+    window.wait_idle()
+    window.key("ctrl+n")
+    window.wait(lambda: window.last("document")["serial"] is not None and not window.last("vertices")["objects"],
+                "an empty document")
+    window.wait_idle()
+
+
+def stroke(window, *corners, steps=8):
+    """One stroke of the left button along a polyline."""
+    window.move(*corners[0])
+    window.press()
+    for a, b in zip(corners, corners[1:]):
+        for i in range(1, steps + 1):
+            window.move(a[0] + (b[0] - a[0]) * i / steps, a[1] + (b[1] - a[1]) * i / steps)
+    window.release()
+
+
+def between(a, b, share=0.5):
+    return a[0] + (b[0] - a[0]) * share, a[1] + (b[1] - a[1]) * share
+
+
+def capsule(a, b, radius):
+    """A closed curve round two points, at about this distance."""
+    angle = math.atan2(b[1] - a[1], b[0] - a[0])
+    points = []
+    for centre, begin in ((b, angle - math.pi / 2), (a, angle + math.pi / 2)):
+        for i in range(7):
+            turn = begin + math.pi * i / 6
+            points.append((centre[0] + radius * math.cos(turn), centre[1] + radius * math.sin(turn)))
+    return points + [points[0]]
 
 
 def nothing(window):
@@ -51,9 +83,9 @@ def extrude(window):
 
 def cut(window):
     """A box, and where three cuts across it will lie."""
-    hands.empty_document(window)
-    hands.choose(window, "Add", "command.add.box")
-    hands.label(window, "Add box")
+    empty_document(window)
+    window.choose("Add", "command.add.box")
+    window.step("Add box")
     window.click_on("field.depth")
     window.key("ctrl+a")
     window.type("180")
@@ -126,10 +158,10 @@ def reference(window):
     """The drawing behind a box, in a view from the front, while its length is typed."""
     drawing = os.path.join(window.home, "mouse side.png")
     side_view(drawing)
-    hands.empty_document(window)
+    empty_document(window)
     window.key("KP_1")
     window.wait_idle()
-    hands.choose(window, "File", "command.picture.add")
+    window.choose("File", "command.picture.add")
     window.type_path(drawing)
     window.wait_event("picture_added", 0)
     window.wait_idle()
@@ -209,14 +241,14 @@ def gauss(window):
 
 
 def skin(window):
-    hands.empty_document(window)
-    hands.choose(window, "Add", "command.add.skin")
-    hands.label(window, "Add skin")
+    empty_document(window)
+    window.choose("Add", "command.add.skin")
+    window.step("Add skin")
     window.click_on("section.skin_more")
     window.click_on("combo.skin_mirror")
     window.click_on("choice.skin_mirror.2")
-    hands.label(window, "Mirror of the skin")
-    x, y = hands.skin_mark(window, "limit.2")
+    window.step("Mirror of the skin")
+    x, y = window.center("skin.limit.2")
     window.arrive(x, y)
     window.press()
     for i in range(1, 7):
@@ -224,25 +256,25 @@ def skin(window):
 
 
 def gestures(window):
-    hands.empty_document(window)
-    hands.choose(window, "Add", "command.add.skin")
-    hands.label(window, "Add skin")
-    at = {i: hands.skin_mark(window, f"limit.{i}") for i in (1, 2, 3, 4, 5, 9, 10, 12)}
-    hands.choose(window, "Skin", "command.skin.correspond")
+    empty_document(window)
+    window.choose("Add", "command.add.skin")
+    window.step("Add skin")
+    at = {i: window.center(f"skin.limit.{i}") for i in (1, 2, 3, 4, 5, 9, 10, 12)}
+    window.choose("Skin", "command.skin.correspond")
     window.wait_idle()
-    hands.stroke(window, at[1], at[9])
-    hands.label(window, "Join points")
-    hands.stroke(window, hands.between(at[1], at[2]), hands.between(at[3], at[10], 0.4), hands.between(at[4], at[5]))
-    hands.label(window, "Merge points")
-    hands.stroke(window, *hands.capsule(at[5], at[12], 12), steps=2)
-    hands.label(window, "Group points")
+    stroke(window, at[1], at[9])
+    window.step("Join points")
+    stroke(window, between(at[1], at[2]), between(at[3], at[10], 0.4), between(at[4], at[5]))
+    window.step("Merge points")
+    stroke(window, *capsule(at[5], at[12], 12), steps=2)
+    window.step("Group points")
 
 
 def in_a_row(window):
     """Five boxes; the panel shows the numbers of the step."""
-    hands.empty_document(window)
-    hands.choose(window, "Add", "command.add.box")
-    hands.label(window, "Add box")
+    empty_document(window)
+    window.choose("Add", "command.add.box")
+    window.step("Add box")
     command(window, "Array in a row")
     window.click_on("field.array_count")
     window.key("ctrl+a")

@@ -3,7 +3,9 @@
 
   scripts/structure.py                       the table of the working tree
   scripts/structure.py --before REV          beside it the same of a revision of git
-  scripts/structure.py --list                also the names of long functions, long files and odd comments
+  scripts/structure.py --list                also the names of long functions and long files
+  scripts/structure.py --comments            instead, comments that begin with Of, What, Where, How and the like, not
+                                             with what they are about; fails when there are some
 
 Sources are *.cpp and *.hpp. Only the top folders are named here, not what they are divided into.
 
@@ -18,6 +20,11 @@ A class is a mesh type when its name follows MESH_NAMES and a container of faces
 own members (FACE_MEMBERS). Meshes, hulls and trees that hold another one as a member stand on it and are no further
 implementation. Union-finds and conjugate gradients are found by the lines that define them (UNION_FIND,
 CONJUGATE_GRADIENTS), so also where they are written by hand.
+
+A question of kind asks an object for its source: object.skin() or another of KINDS whose answer is tested or kept
+(not read at once, by -> or *), &Object::skin, or get_if and holds_alternative of a kind of source. It counts in app
+and in the folders of ui that are no workspace (GENERIC_FOLDERS), where ObjectKind, a visitor of all sources or the
+workspace should answer; files of one kind there (KIND_FILES) are left out.
 
 A name is declared twice when two headers of core declare it in the same namespace, outside of classes: types
 (definitions and aliases), constants, and functions with equal types of parameters. Functions whose overloads are
@@ -35,10 +42,11 @@ import tarfile
 import tempfile
 
 sys.dont_write_bytecode = True
-from cpp_source import HELD, Source  # noqa: E402
+from cpp_source import HELD, Source, odd_comments  # noqa: E402
 
 LAYERS = ["core", "render", "ui", "app", "tests"]
 ENDINGS = (".cpp", ".hpp")
+COMMENTED = LAYERS + ["bench", "shaders"]
 SHORT_FILE, LONG_FILE, LONG_FUNCTION = 50, 500, 60
 
 # Classes that hold a mesh of their own.
@@ -54,22 +62,44 @@ UNION_FIND = re.compile(r"while\s*\([^;{}]*\bparent\w*[^;{}]*!=")
 # A step, n / dot(...), and later in it the next direction's share of the last one, m / n; also as ratio(n, dot(...)).
 CONJUGATE_GRADIENTS = re.compile(
     r"(?:\bratio \( (?P<a>\w+) ,|\b(?P<b>\w+) /) (?:\w+ \. )?dot \( [^{}]{0,600}?\w+ (?:/|,) (?:(?P=a)|(?P=b))\b")
+
+# The kinds of sources, as members of Object.
+KINDS = "polyhedron|mesh|patches|bezier|solids|skin|outline|picture"
+CALL = r"(?: \( (?:[^()]|\( [^()]* \))*\))?"
+KIND_QUESTION = re.compile(
+    rf"(?:(?<= )(?P<read>[*&]) )?(?:\w+{CALL} (?:\.|->|::) )*(?P<of>\w+){CALL} (?:\.|->) "
+    rf"(?:{KINDS}) \( \)(?! (?:->|\.))"
+    rf"|& Object :: (?:{KINDS})\b"
+    r"|\b(?:get_if|holds_alternative) < (?!Unknown)\w+Source >")
+NO_OBJECTS = {"surface", "surface_", "patches", "request"}  # what has patches, a skin or a picture in another sense
+GENERIC_FOLDERS = re.compile(r"ui/(base|editor|widgets|view|shell)/|app/")
+KIND_FILES = re.compile(
+    r"ui/editor/(\w+_kinds?|guide|operations|outlines|reference_pictures|skin_\w+)\.\wpp|ui/view/patch_jumps\.cpp|"
+    r"app/commands/patch_evaluation\.cpp|app/engines/(gauss_engine|reference_loader)\.cpp|"
+    r"app/jobs/(conversion|reference|skin)_jobs\.cpp|app/scripts/polyhedron_guesses\.cpp")
+
+
 # --- over a tree
+
+
+def texts(top, layers, endings):
+    """Path from the top and text of each file, in the order of their paths."""
+    for layer in layers:
+        for folder, folders, names in os.walk(os.path.join(top, layer)):
+            folders.sort()
+            for name in sorted(names):
+                if name.endswith(endings):
+                    path = os.path.join(folder, name)
+                    with open(path, encoding="utf-8", errors="replace") as stream:
+                        yield os.path.relpath(path, top).replace(os.sep, "/"), stream.read()
 
 
 def read_tree(top):
     files = {}
-    for layer in LAYERS:
-        for folder, folders, names in os.walk(os.path.join(top, layer)):
-            folders.sort()
-            for name in sorted(names):
-                if name.endswith(ENDINGS):
-                    path = os.path.join(folder, name)
-                    with open(path, encoding="utf-8", errors="replace") as stream:
-                        relative = os.path.relpath(path, top).replace(os.sep, "/")
-                        files[relative] = Source(relative, stream.read())
-                        if not files[relative].balanced:
-                            print(f"structure.py: braces of {relative} do not match", file=sys.stderr)
+    for path, text in texts(top, LAYERS, ENDINGS):
+        files[path] = Source(path, text)
+        if not files[path].balanced:
+            print(f"structure.py: braces of {path} do not match", file=sys.stderr)
     return files
 
 
@@ -116,6 +146,18 @@ def matches(files, pattern):
     return sorted((f.path, len(pattern.findall(f.code))) for f in of_layer(files, "core") if pattern.search(f.code))
 
 
+def kind_questions(files):
+    """[(path, number)] of the generic files of the interface and the application that ask what kind an object is."""
+    out = []
+    for path, f in sorted(files.items()):
+        if not GENERIC_FOLDERS.match(path) or KIND_FILES.fullmatch(path):
+            continue
+        number = sum(not m["read"] and m["of"] not in NO_OBJECTS for m in KIND_QUESTION.finditer(f.code))
+        if number:
+            out.append((path, number))
+    return out
+
+
 def twice(files):
     """Names that two headers of core declare: types, constants, functions with equal parameters, overloads."""
     headers = collections.defaultdict(lambda: collections.defaultdict(set))
@@ -137,7 +179,6 @@ def twice(files):
 
 def core_rows(files):
     """Name of each row, its number, and the lines that say what was counted."""
-    own = of_layer(files, "core")
     rows = []
     for title, found in (("mesh types", implementations(files, MESH_NAMES, FACE_MEMBERS)),
                          ("convex hulls", implementations(files, HULL_NAMES)),
@@ -153,8 +194,8 @@ def core_rows(files):
     same, overloads = twice(files)
     for title, found in (("names declared in two headers", same), ("functions overloaded over headers", overloads)):
         rows.append((title, len(found), [f"{name} ({kind})  {', '.join(paths)}" for name, kind, paths in found]))
-    rows.append(("comments that begin with Of, What, Who, Which, That", sum(len(f.odd_comments) for f in own), []))
-    rows.append(("comments behind code that begin with of, what, who ...", sum(len(f.odd_tails) for f in own), []))
+    asked = kind_questions(files)
+    rows.append(("questions of kind, in ui and app", sum(n for _, n in asked), [f"{n}  {path}" for path, n in asked]))
     return rows
 
 
@@ -213,11 +254,18 @@ def print_lists(files):
     print_names(f"functions above {LONG_FUNCTION} lines", [f"{n}  {name}  {place}" for n, name, place in long])
     print_names(f"files above {LONG_FILE} lines",
                 [f"{f.lines}  {f.path}" for f in sorted(files.values(), key=lambda f: -f.lines) if f.lines > LONG_FILE])
-    core = of_layer(files, "core")
-    print_names("comments of core", [f"{f.path}:{line}  {' '.join(words.split())[:80]}"
-                                     for f in core for line, words in f.odd_comments + f.odd_tails])
     casts = matches(files, re.compile(r"\bdynamic_cast\b"))
     print_names("dynamic_casts", [f"{n}  {path}" for path, n in casts])
+
+
+def print_odd_comments(top):
+    """Prints places and texts; returns how many there are."""
+    count = 0
+    for path, text in texts(top, COMMENTED, ENDINGS + (".glsl",)):
+        for line, comment in odd_comments(text):
+            print(f"{path}:{line}: {comment}")
+            count += 1
+    return count
 
 
 def tree_of(top, revision):
@@ -233,8 +281,11 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--root", default=top, help="the folder of the sources; otherwise that of this script")
     parser.add_argument("--before", metavar="REV", help="a revision of git to compare with")
-    parser.add_argument("--list", action="store_true", help="also name long functions, long files and odd comments")
+    parser.add_argument("--list", action="store_true", help="also name long functions and long files")
+    parser.add_argument("--comments", action="store_true", help="only comments that begin with Of, What ...")
     options = parser.parse_args()
+    if options.comments:
+        sys.exit(1 if print_odd_comments(options.root) else 0)
     before = tree_of(options.root, options.before) if options.before else None
     files = read_tree(options.root)
     print_all(files, before, options.before or "")

@@ -2,7 +2,7 @@
 uniform bool perspective;
 uniform vec2 viewport;       // pixels
 uniform float pixel_slope;   // slope of a view ray one pixel from the middle
-uniform float middle_slope;  // of the ray through the middle, along y
+uniform float middle_slope;  // slope of the ray through the middle, along y
 uniform vec4 front, rim;     // sRGB, with their opacities
 uniform float reach;         // cosine from where on the front is painted alone
 

@@ -1,8 +1,8 @@
 // Ground grid in two densities that fade with distance and angle; the axes are coloured.
-uniform float spacing;      // of the fine lines; the coarse ones are ten times as far apart
+uniform float spacing;      // distance of the fine lines; the coarse ones are ten times as far apart
 uniform float fine_weight;  // 0 .. 1
 uniform float radius;
-uniform vec2 axes;          // where y = 0 and x = 0 lie, in ground coordinates
+uniform vec2 axes;          // ground coordinates at which y = 0 and x = 0 lie
 uniform vec3 line_color, x_color, y_color;
 uniform float strength;
 uniform float line_width;   // pixels
@@ -12,7 +12,7 @@ in vec2 ground;
 in vec3 eye_position;
 out vec4 color;
 
-// How much of a pixel a line at distance d (in units of which a pixel covers `pixel`) covers.
+// Coverage of a pixel, 0 .. 1, by a line at distance d (in units of which a pixel covers `pixel`).
 float coverage(float d, float pixel, float width) { return clamp(0.5 * width + 0.5 - abs(d) / pixel, 0.0, 1.0); }
 
 float lines(float step_length, vec2 pixel) {

@@ -8,7 +8,7 @@ uniform vec4 range;        // pivot, its place in the table, and slopes below an
 uniform sampler1D table;
 uniform vec4 undefined_color;  // alpha 0: left out
 uniform float dash;        // DASHED: length of a dash with its gap, in the unit of the curve
-uniform float dash_share;  // of it that is painted
+uniform float dash_share;  // share of it that is painted
 
 noperspective in float side;
 noperspective in vec2 map_value;

@@ -14,7 +14,7 @@ uniform float bias;        // towards the eye: a share of the distance (perspect
 uniform bool perspective;
 uniform float near_plane;
 uniform vec4 section;      // camera axes: what lies on its negative side is cut away
-uniform float amplitude;   // of combs: length of a tooth of curvature 1
+uniform float amplitude;   // for combs: length of a tooth of curvature 1
 
 noperspective out float side;  // pixels from the middle
 noperspective out vec2 map_value;

@@ -1,7 +1,7 @@
 // Borders of the areas of a mask, outside of what they enclose. Red of the mask names an object (0: none), green says
 // that it is only hovered.
 uniform sampler2D mask;
-uniform float width;  // of the line, pixels
+uniform float width;  // pixels
 uniform vec4 selected_paint, hovered_paint, casing;
 out vec4 color;
 

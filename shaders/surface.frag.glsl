@@ -5,7 +5,7 @@
 uniform bool perspective;
 uniform vec2 viewport;         // pixels
 uniform float pixel_slope;     // slope of a view ray one pixel from the middle
-uniform float middle_slope;    // of the ray through the middle, along y
+uniform float middle_slope;    // slope of the ray through the middle, along y
 uniform vec3 outside_color;    // sRGB
 uniform vec3 inside_color;
 uniform vec3 undefined_color;
@@ -32,7 +32,7 @@ uniform float roughest_level;  // stands for a matt surface
 uniform float exposure;        // factor
 #endif
 uniform vec4 wire_paint;
-uniform float line_width;  // of the mesh lines, pixels
+uniform float line_width;  // width of the mesh lines, pixels
 
 in vec3 eye_normal;
 #if MODE == 2 && TUBES

@@ -10,7 +10,7 @@ uniform vec4 section;      // camera axes: what lies on its negative side is cut
 uniform int vertices_per_patch;
 uniform samplerBuffer patch_colors;
 #if WIRE
-uniform samplerBuffer grid_places;  // of the points of a patch, in intervals
+uniform samplerBuffer grid_places;  // places of a patch's points, in intervals
 #endif
 
 out vec3 eye_normal;

@@ -13,6 +13,8 @@
 #include "core/document/display.hpp"
 #include "core/document/format/cad_choices.hpp"
 #include "core/document/format/file_choices.hpp"
+#include "core/drawing/section_set.hpp"
+#include "core/drawing/write_drawing_svg.hpp"
 #include "core/gaussmap/outlines/outline_settings.hpp"
 #include "core/network/shaping.hpp"
 #include "core/offset/offset_surface.hpp"
@@ -28,6 +30,7 @@ inline constexpr int exit_fine = 0, exit_failed = 1, exit_usage = 2;
 /// Choices for all outlines, instead of the document's own (`OutlineSettings`).
 struct OutlineConstruction {
   std::optional<GaussMode> method;
+  bool method_replaced = false;  ///< see `OutlineSettings::mode_replaced`
   std::optional<CurvatureSign> sign;
   std::optional<double> radius, gap;
   std::optional<Index> most_points;
@@ -157,7 +160,7 @@ int run_unfold(const UnfoldArguments& arguments);
 struct ScriptArguments {
   std::filesystem::path file;                    ///< the script
   std::optional<std::filesystem::path> in, out;  ///< documents to begin with and to save at the end
-  Reading reading;                               ///< of all files that it opens
+  Reading reading;                               ///< choices for all files that it opens
 };
 /// Runs a script. What is wrong with its steps is found before the first of them runs where that is possible.
 int run_script(const ScriptArguments& arguments);
@@ -167,5 +170,33 @@ int run_command_list(bool json);
 /// Draws the pictures of the samples in `assets` into the folder `out`, for the build. Without OpenGL it
 /// draws none, prints a note and succeeds: the program then draws them when it shows them.
 int run_sample_pictures(const std::filesystem::path& assets, const std::filesystem::path& out);
+
+/// Line drawing of the same objects and view as `run_render`.
+struct DrawingArguments {
+  std::filesystem::path file, out;
+  double width = 1280, height = 960;  ///< pixels of 1/96 inch
+  PageUnit unit = PageUnit::pixel;    ///< unit of the file
+  StandardView view = StandardView::iso;
+  std::string saved_view;  ///< name of a saved view, instead of `view`; empty for none
+  std::optional<SectionPlane> section;
+  LineDrawingSettings lines;
+  Construction construction;
+};
+/// Writes a line drawing of a document.
+int run_drawing(const DrawingArguments& arguments);
+
+/// Arguments of `hariko sections`.
+struct SectionsArguments {
+  std::filesystem::path file, out;       ///< `out`: *.svg or *.dxf
+  Vector3 direction = Vector3::UnitX();  ///< not zero
+  std::optional<double> first, spacing;  ///< document's unit; missing ones spread the planes over the model
+  int count = 7;
+  SectionCombs combs;
+  std::vector<std::string> only;  ///< names of objects; empty: all visible objects
+  bool json = false;
+  Construction construction;
+};
+/// Writes the curves in which planes cut a document's surfaces and reference facets.
+int run_sections(const SectionsArguments& arguments);
 
 }  // namespace hariko

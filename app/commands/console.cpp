@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cstdio>
 
+#include "app/commands/commands.hpp"
 #include "core/polyhedron/message_summary.hpp"
 
 namespace hariko {
@@ -29,6 +30,11 @@ void report(std::string_view file, const Message& message) {
 
 void report(std::string_view file, std::span<const Message> messages) {
   for (const MessageSummary& summary : summarised(messages)) report(file, one_message(summary));
+}
+
+int failure(const std::filesystem::path& file, const Message& error) {
+  report(file.string(), error);
+  return exit_failed;
 }
 
 ProgressLine::ProgressLine(std::string what) : what_(std::move(what)) {

@@ -3,6 +3,7 @@
 // Console output of commands: results go to the standard output, messages to the standard error stream.
 
 #include <condition_variable>
+#include <filesystem>
 #include <mutex>
 #include <span>
 #include <string>
@@ -21,6 +22,9 @@ void report(std::string_view file, const Message& message);
 
 /// Reports messages, one line for each kind with the count and the first elements.
 void report(std::string_view file, std::span<const Message> messages);
+
+/// Reports the error of a command; gives its exit code.
+int failure(const std::filesystem::path& file, const Message& error);
 
 /// Progress line on the standard error stream, only where that is a terminal. Destruction erases the line.
 class ProgressLine {

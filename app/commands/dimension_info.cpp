@@ -1,26 +1,21 @@
 #include "app/commands/dimension_info.hpp"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <cmath>
 #include <map>
 #include <numbers>
 
-#include "app/files/reference_facets.hpp"
+#include "app/files/walled_surface.hpp"
+#include "core/document/object_shape.hpp"
 #include "core/document/words.hpp"
 #include "core/modeling/measuring/measured_dimension.hpp"
-#include "core/modeling/surfacing/object_surfacer.hpp"
 
 namespace hariko {
 
 namespace {
 
 std::string six_digits(double value) {
-  std::array<char, 32> digits;
-  const auto end =
-      std::to_chars(digits.data(), digits.data() + digits.size(), value, std::chars_format::general, 6);
-  return {digits.data(), end.ptr};
+  return rounded_text(value, 6);
 }
 
 std::string point_text(const Vector3& point) {
@@ -67,12 +62,8 @@ class FinalSurfaces {
     if (known != made_.end()) return pointer(known->second);
     const Object* object = document_.find(id);
     Surface surface;
-    if (object && object->mesh()) {
-      surface = facets_of(*object->mesh());
-    } else if (object && object->has_surface()) {
-      auto made = object_surface(document_, *object);
-      if (made) surface = std::move(made).value().surface;
-    }
+    if (object && has_shape(*object))
+      if (auto made = surface_or_facets(document_, *object)) surface = std::move(made).value();
     return pointer(made_.emplace(id, std::move(surface)).first->second);
   }
 
@@ -115,13 +106,12 @@ std::string value_text(const DimensionInfo& info, Unit unit) {
   return info.kind == "angle" ? six_digits(*info.value) + " degrees" : six_digits(*info.value) + length;
 }
 
-std::string dimension_line(const std::string& label, const std::string& text) {
-  std::string padded = label;
-  padded.resize(std::max<std::size_t>(padded.size() + 2, 22), ' ');
-  return padded + text + "\n";
-}
-
 }  // namespace
+
+std::string info_line(std::string label, const std::string& text) {
+  label.resize(std::max<std::size_t>(label.size() + 2, 22), ' ');
+  return label + text + "\n";
+}
 
 std::vector<DimensionInfo> inspect_dimensions(const Document& document) {
   FinalSurfaces surfaces(document);
@@ -134,11 +124,11 @@ std::vector<DimensionInfo> inspect_dimensions(const Document& document) {
 
 std::string dimensions_text(const std::vector<DimensionInfo>& dimensions, Unit unit) {
   if (dimensions.empty()) return {};
-  std::string out = dimension_line("dimensions", std::to_string(dimensions.size()));
+  std::string out = info_line("dimensions", std::to_string(dimensions.size()));
   for (const DimensionInfo& info : dimensions) {
     std::string anchors;
     for (const std::string& anchor : info.anchors) anchors += (anchors.empty() ? "" : " - ") + anchor;
-    out += dimension_line(info.kind, value_text(info, unit) + "  (" + anchors + ")");
+    out += info_line(info.kind, value_text(info, unit) + "  (" + anchors + ")");
   }
   return out;
 }

@@ -1,11 +1,13 @@
 #include "app/commands/document_input.hpp"
 
 #include <cmath>
+#include <variant>
 
 #include "app/commands/console.hpp"
 #include "app/files/reading.hpp"
 #include "core/document/edits/edit_objects.hpp"
 #include "core/envelope/ball/tightness.hpp"
+#include "ui/editor/selected_items.hpp"
 
 namespace hariko {
 
@@ -13,8 +15,25 @@ namespace {
 
 constexpr Code w_kept_as_facets{"W_KEPT_AS_FACETS"};
 
-void choose(OutlineSettings& settings, const Construction& construction) {
+// Sources of kinds that have nothing to be chosen for their construction.
+void choose(MeshSource&, const Construction&) {}
+void choose(PatchSource&, const Construction&) {}
+void choose(BezierSource&, const Construction&) {}
+void choose(SkinSource&, const Construction&) {}
+void choose(PictureSource&, const Construction&) {}
+void choose(UnknownSource&, const Construction&) {}
+
+void choose(PolyhedronSource& source, const Construction& construction) {
+  source.mode = construction.mode.value_or(source.mode);
+  source.frames = construction.frames.value_or(source.frames);
+  bool& merges = source.preparation.merge_coplanar;
+  merges = construction.merge_coplanar.value_or(merges);
+}
+
+void choose(OutlineSource& source, const Construction& construction) {
+  OutlineSettings& settings = source.settings;
   const OutlineConstruction& chosen = construction.outlines;
+  if (chosen.method) settings.mode_replaced = chosen.method_replaced;
   settings.mode = chosen.method.value_or(settings.mode);
   settings.sign = chosen.sign.value_or(settings.sign);
   settings.radius = chosen.radius.value_or(settings.radius);
@@ -25,7 +44,8 @@ void choose(OutlineSettings& settings, const Construction& construction) {
   settings.frames = construction.frames.value_or(settings.frames);
 }
 
-void choose(SolidsSource& source, const SolidsConstruction& chosen) {
+void choose(SolidsSource& source, const Construction& construction) {
+  const SolidsConstruction& chosen = construction.solids;
   EnvelopeInput input = *source.input;
   EnvelopeSettings& settings = input.settings;
   if (chosen.method == EnvelopeMethod::ball && !(settings.rounding > 0)) choose_ball(input);
@@ -80,18 +100,8 @@ std::optional<Document> read_document_or_report(const std::filesystem::path& fil
 Document with_construction(Document document, const Construction& construction) {
   if (construction == Construction()) return document;
   for (auto& object : document.objects) {
-    if (!object->polyhedron() && !object->outline() && !object->solids()) continue;
     auto changed = std::make_shared<Object>(*object);
-    if (auto* polyhedron = std::get_if<PolyhedronSource>(&changed->source)) {
-      polyhedron->mode = construction.mode.value_or(polyhedron->mode);
-      polyhedron->frames = construction.frames.value_or(polyhedron->frames);
-      bool& merges = polyhedron->preparation.merge_coplanar;
-      merges = construction.merge_coplanar.value_or(merges);
-    } else if (auto* solids = std::get_if<SolidsSource>(&changed->source)) {
-      choose(*solids, construction.solids);
-    } else {
-      choose(std::get<OutlineSource>(changed->source).settings, construction);
-    }
+    std::visit([&](auto& source) { choose(source, construction); }, changed->source);
     object = std::move(changed);
   }
   return document;
@@ -99,16 +109,9 @@ Document with_construction(Document document, const Construction& construction) 
 
 Result<Document> with_only(const Document& document, const std::vector<std::string>& only) {
   if (only.empty()) return document;
-  std::vector<ObjectId> objects;
-  for (const std::string& name : only) {
-    const std::size_t before = objects.size();
-    for (const auto& object : document.objects)
-      if (object->name == name) objects.push_back(object->id);
-    if (objects.size() == before)
-      return make_error(e_no_such_object, "There is no object called \"" + name + "\".",
-                        "`hariko info` lists the names.");
-  }
-  return showing_only(document, objects);
+  const auto objects = objects_named(document, only);
+  if (!objects) return objects.error();
+  return showing_only(document, *objects);
 }
 
 }  // namespace hariko

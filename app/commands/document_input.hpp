@@ -10,8 +10,6 @@
 
 namespace hariko {
 
-inline constexpr Code e_no_such_object{"E_NO_SUCH_OBJECT"};
-
 /// Opens a file. A mesh that makes no polyhedron is repaired or kept as facets where `reading` says so, and a
 /// warning about that replaces the errors; otherwise a warning tells that it is possible.
 OpenedFile open_as_asked(const std::filesystem::path& file, const Reading& reading,

@@ -1,9 +1,7 @@
-#include "app/commands/cad_report_text.hpp"
 #include "app/commands/commands.hpp"
 #include "app/commands/console.hpp"
 #include "app/commands/document_input.hpp"
-#include "app/commands/moved_text.hpp"
-#include "app/files/control_mesh_file.hpp"
+#include "app/commands/export_report.hpp"
 #include "app/files/export_cad.hpp"
 #include "app/files/export_surfaces.hpp"
 #include "app/files/left_out.hpp"
@@ -24,10 +22,7 @@ int run_export(const ExportArguments& arguments) {
   const auto read = read_document_or_report(arguments.file, arguments.construction);
   if (!read) return exit_failed;
   const auto document = with_only(*read, arguments.file_arguments.only);
-  if (!document.ok()) {
-    report(arguments.file.string(), document.error());
-    return exit_failed;
-  }
+  if (!document.ok()) return failure(arguments.file, document.error());
   if (cad_format_of(arguments.out)) {
     CadChoices choices = arguments.cad;
     if (arguments.file_arguments.choices.unit) choices.unit = *arguments.file_arguments.choices.unit;
@@ -35,10 +30,7 @@ int run_export(const ExportArguments& arguments) {
     choices.to_zero = arguments.file_arguments.choices.to_zero;
     const auto written =
         export_cad(*document, arguments.out, choices, header_time(), {}, {}, arguments.file_arguments.wall);
-    if (!written.ok()) {
-      report(arguments.file.string(), written.error());
-      return exit_failed;
-    }
+    if (!written.ok()) return failure(arguments.file, written.error());
     for (const Message& warning : left_out_of_cad(*document)) report(arguments.file.string(), warning);
     for (const Message& warning : warnings_of(*written)) report(arguments.file.string(), warning);
     return print(text_of(*written, document->unit) + moved_text(written->moved)) ? exit_fine : exit_failed;
@@ -47,10 +39,7 @@ int run_export(const ExportArguments& arguments) {
                                    : export_surfaces(*document, arguments.out, arguments.density,
                                                      arguments.file_arguments.choices, {}, {},
                                                      arguments.file_arguments.wall);
-  if (!written.ok()) {
-    report(arguments.file.string(), written.error());
-    return exit_failed;
-  }
+  if (!written.ok()) return failure(arguments.file, written.error());
   for (const Message& warning : written->warnings) report(arguments.file.string(), warning);
   const std::string moved = moved_text(written->moved);
   return moved.empty() || print(moved) ? exit_fine : exit_failed;

@@ -1,10 +1,9 @@
 #include <numbers>
-#include <sstream>
 
 #include "app/commands/commands.hpp"
 #include "app/commands/console.hpp"
 #include "app/commands/document_input.hpp"
-#include "app/commands/moved_text.hpp"
+#include "app/commands/export_report.hpp"
 #include "app/files/export_surfaces.hpp"
 #include "app/files/left_out.hpp"
 #include "app/files/mesh_surfaces.hpp"
@@ -144,28 +143,24 @@ std::string error_text(const std::vector<MeshedObject>& objects) {
 
 int run_mesh(const MeshArguments& arguments) {
   Stopwatch watch;
-  const auto failed = [&](const Message& error) {
-    report(arguments.file.string(), error);
-    return exit_failed;
-  };
   const auto read = read_document_or_report(arguments.file, arguments.construction);
   if (!read) return exit_failed;
   const auto document = with_only(*read, arguments.file_arguments.only);
-  if (!document.ok()) return failed(document.error());
+  if (!document.ok()) return failure(arguments.file, document.error());
   const WriteOptions options = write_options(*document, arguments.file_arguments.choices);
   const MeshRequest request{arguments.options, !arguments.errors.empty(), true,
                             file_digits(*document, arguments.out, options), arguments.file_arguments.wall};
   auto meshed = mesh_surfaces(*document, request);
-  if (!meshed.ok()) return failed(meshed.error());
+  if (!meshed.ok()) return failure(arguments.file, meshed.error());
   const double meshing = watch.lap();
   std::vector<NamedTriangles> named;
   for (const MeshedObject& object : *meshed) named.push_back(object.named());
   const auto written = write_mesh_file(arguments.out, named, options);
-  if (!written.ok()) return failed(written.error());
+  if (!written.ok()) return failure(arguments.file, written.error());
   for (std::size_t i = 0; i < named.size(); ++i) meshed.value()[i].add(written->rounding[i]);
   if (!arguments.errors.empty()) {
     const auto done = write_file_atomic(arguments.errors, error_text(*meshed));
-    if (!done.ok()) return failed(done.error());
+    if (!done.ok()) return failure(arguments.file, done.error());
   }
   const double writing = watch.lap();
   for (const Message& warning : left_out_of_triangles(*document)) report(arguments.file.string(), warning);

@@ -3,10 +3,14 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <variant>
 
 #include "app/commands/console.hpp"
 #include "core/analysis/continuity.hpp"
 #include "core/analysis/measures.hpp"
+#include "core/base/text/sanitized_utf8.hpp"
+#include "core/document/group_tree.hpp"
+#include "core/document/object_shape.hpp"
 #include "core/document/words.hpp"
 #include "core/envelope/scene_symmetry.hpp"
 #include "core/gaussmap/control_points.hpp"
@@ -15,7 +19,6 @@
 #include "core/polyhedron/half_edge_mesh.hpp"
 #include "core/polyhedron/validation.hpp"
 #include "core/subdivision/mesh_report.hpp"
-#include "core/subdivision/regular_faces.hpp"
 
 namespace hariko {
 
@@ -110,7 +113,7 @@ SkinInfo skin_info(const SubdivisionPatchSet& patches, const Surface& surface, d
   if (!mesh.rows.empty() && !skin.path.closed) ++out.rows;
   out.extraordinary = figures(mesh.control.mesh).extraordinary;
   out.creases = mesh.control.creases.size();
-  out.regular_faces = regular_faces(mesh.control).size();
+  out.regular_faces = regular_face_count(mesh.control);
   const double condition = limit_condition(patches.topology());
   if (std::isfinite(condition)) out.condition = condition;
   for (const SectionMiss& miss : section_misses(skin, mesh, surface))
@@ -118,16 +121,33 @@ SkinInfo skin_info(const SubdivisionPatchSet& patches, const Surface& surface, d
   return out;
 }
 
-/// Adds the figures of a skin and of its control mesh.
+/// Adds the figures of a skin and of its control mesh, where the surface is one.
 void add_skin(const Surface& surface, double scale, ObjectInfo& info) {
-  const SubdivisionPatchSet& patches = *subdivision_patches(surface);
-  info.skin = skin_info(patches, surface, scale);
-  if (const auto topology = HalfEdgeMesh::build(patches.skin()->mesh.control.mesh); topology.ok())
+  const SubdivisionPatchSet* patches = subdivision_patches(surface);
+  if (!patches || !patches->skin()) return;
+  info.skin = skin_info(*patches, surface, scale);
+  if (const auto topology = HalfEdgeMesh::build(patches->skin()->mesh.control.mesh); topology.ok())
     count_topology(*topology, info);
 }
 
+// Sources of which nothing is said beside their surfaces.
+void inspect_source(const MeshSource&, double, ObjectInfo&) {}
+void inspect_source(const PatchSource&, double, ObjectInfo&) {}
+void inspect_source(const BezierSource&, double, ObjectInfo&) {}
+void inspect_source(const SolidsSource&, double, ObjectInfo&) {}
+void inspect_source(const SkinSource&, double, ObjectInfo&) {}
+void inspect_source(const PictureSource&, double, ObjectInfo&) {}
+void inspect_source(const UnknownSource&, double, ObjectInfo&) {}
+
+void inspect_source(const PolyhedronSource& source, double, ObjectInfo& info) {
+  for (Message message : validate(source.polyhedron.to_mesh())) {
+    message.element = named(source.polyhedron, message.element);
+    info.messages.push_back(std::move(message));
+  }
+}
+
 /// Adds the figures of an outline's control points; its errors are reported with its surface.
-void inspect_outline(const OutlineSource& source, double scale, ObjectInfo& info) {
+void inspect_source(const OutlineSource& source, double scale, ObjectInfo& info) {
   const auto points = control_points(*source.outline, gauss_options(source.settings));
   if (!points) return;
   OutlineInfo out;
@@ -145,22 +165,15 @@ void inspect_surface(const Document& document, const Object& object, const Docum
   const double scale = object.transform.scale;
   Stopwatch watch;
   const auto lap = [&](const char* step) { info.milliseconds.emplace_back(step, watch.lap()); };
-  if (const PolyhedronSource* source = object.polyhedron())
-    for (Message message : validate(source->polyhedron.to_mesh())) {
-      message.element = named(source->polyhedron, message.element);
-      info.messages.push_back(std::move(message));
-    }
+  std::visit([&](const auto& source) { inspect_source(source, scale, info); }, object.source);
   lap("validate");
 
   const auto built = object_surface(document, object);
   lap("rebuild");
-  if (!built.ok()) {
-    info.messages.push_back(built.error());
-    return;
-  }
+  if (!built.ok()) return info.messages.push_back(built.error());
   if (const auto* made = std::get_if<std::shared_ptr<const EnvelopeSurface>>(&built->details))
     add_envelope(**made, *object.solids()->input, scale, info);
-  if (object.skin()) add_skin(built->surface, scale, info);
+  add_skin(built->surface, scale, info);
   info.messages.insert(info.messages.end(), built->warnings.begin(), built->warnings.end());
   const Surface& surface = built->surface;
   info.patches = surface.patch_count();
@@ -228,8 +241,8 @@ void count_places(std::size_t places, ObjectInfo& info) {
 }  // namespace
 
 bool ObjectInfo::failed() const {
-  return std::any_of(messages.begin(), messages.end(),
-                     [](const Message& message) { return message.severity == Severity::error; });
+  return std::ranges::any_of(messages,
+                             [](const Message& message) { return message.severity == Severity::error; });
 }
 
 ObjectInfo inspect_at_once(const Object& object) {
@@ -244,11 +257,10 @@ ObjectInfo inspect(const Document& document, const Object& object, const Documen
   ObjectInfo info = inspect_at_once(object);
   if (against) info.against.emplace();
   const double scale = object.transform.scale;
-  if (const OutlineSource* outline = object.outline()) inspect_outline(*outline, scale, info);
   if (object.has_surface()) {
     inspect_surface(document, object, against, info);
-  } else if (const MeshSource* mesh = object.mesh()) {
-    inspect_facets(*mesh->mesh, scale, info);
+  } else if (is_faceted(object)) {
+    inspect_facets(*object.mesh()->mesh, scale, info);
   }
   if (!object.copies->empty()) count_places(place_count(object), info);
   return info;
@@ -261,6 +273,42 @@ ObjectInfo inspect_broken(const OpenedFile& input) {
   info.vertices = input.broken_mesh->positions.size();
   info.faces = input.broken_mesh->face_count();
   return info;
+}
+
+std::vector<GroupInfo> inspect_groups(const Document& document) {
+  std::vector<GroupInfo> out;
+  if (document.groups->empty()) return out;
+  const GroupTree tree(document);
+  std::map<ObjectId, const Object*> objects;
+  for (const auto& object : document.objects) objects.emplace(object->id, object.get());
+  for (const Group& group : *document.groups) {
+    GroupInfo& info = out.emplace_back();
+    info.id = group.id.value;
+    info.name = group.name;
+    if (group.parent != GroupId{}) info.parent = group.parent.value;
+    info.visible = is_visible(document, group.id);
+    info.locked = is_locked(document, group.id);
+    for (const ObjectId id : tree.objects_in(group.id)) info.objects.push_back(objects.at(id)->name);
+  }
+  return out;
+}
+
+std::string groups_text(const std::vector<GroupInfo>& groups) {
+  if (groups.empty()) return {};
+  std::string out = info_line("groups", std::to_string(groups.size()));
+  for (const GroupInfo& info : groups) {
+    std::string text = sanitized_utf8(info.name);
+    if (info.parent) {
+      const auto round = std::ranges::find(groups, *info.parent, &GroupInfo::id);
+      text += ", in " + sanitized_utf8(round->name);
+    }
+    text += info.visible ? "" : ", hidden";
+    text += info.locked ? ", locked" : "";
+    std::string names;
+    for (const std::string& name : info.objects) names += (names.empty() ? "" : ", ") + sanitized_utf8(name);
+    out += info_line("group", text + "  (" + names + ")");
+  }
+  return out;
 }
 
 }  // namespace hariko

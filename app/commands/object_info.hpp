@@ -1,6 +1,6 @@
 #pragma once
 
-// Report of `hariko info` on an object.
+// Report of `hariko info` on objects and groups.
 
 #include <map>
 #include <optional>
@@ -9,13 +9,27 @@
 #include <vector>
 
 #include "app/commands/dimension_info.hpp"
-#include "app/commands/group_info.hpp"
 #include "app/files/open_file.hpp"
 #include "core/analysis/statistics.hpp"
 #include "core/document/document.hpp"
 #include "core/patching/compare_surfaces.hpp"
 
 namespace hariko {
+
+/// A group with the objects that it contains at any depth, in the order of the list.
+struct GroupInfo {
+  std::uint32_t id = 0;
+  std::string name;
+  std::optional<std::uint32_t> parent;  ///< id of the group that it lies in
+  bool visible = true, locked = false;  ///< with the groups round it
+  std::vector<std::string> objects;     ///< names
+};
+
+/// All groups by ascending id. O(n log n).
+std::vector<GroupInfo> inspect_groups(const Document& document);
+
+/// Report as text: their number, then a line for each. Empty where there are none.
+std::string groups_text(const std::vector<GroupInfo>& groups);
 
 /// Figures of a surface round solids.
 struct EnvelopeInfo {

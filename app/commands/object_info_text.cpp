@@ -1,9 +1,8 @@
 // Formatting of ObjectInfo as JSON and as text.
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <memory>
+#include <utility>
 #include <variant>
 
 #include "app/commands/object_info.hpp"
@@ -196,10 +195,7 @@ std::string readable(const InfoValue& value) {
     write(json, value);
     return json.take();
   }
-  std::array<char, 32> digits;
-  const auto end =
-      std::to_chars(digits.data(), digits.data() + digits.size(), *real, std::chars_format::general, 6);
-  return {digits.data(), end.ptr};
+  return rounded_text(*real, 6);
 }
 
 std::string line(const InfoMember& member) {
@@ -216,8 +212,7 @@ std::string line(const InfoMember& member) {
   }
   std::string label = member.key;
   std::replace(label.begin(), label.end(), '_', ' ');
-  label.resize(std::max<std::size_t>(label.size() + 2, 22), ' ');
-  return label + text + "\n";
+  return info_line(std::move(label), text);
 }
 
 std::string text_of(const Message& message) {

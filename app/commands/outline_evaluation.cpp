@@ -1,4 +1,4 @@
-#include "app/commands/outline_evaluation.hpp"
+#include "app/commands/evaluation.hpp"
 
 #include "core/base/text/json_writer.hpp"
 #include "core/document/words.hpp"

@@ -1,4 +1,4 @@
-#include "app/commands/patch_evaluation.hpp"
+#include "app/commands/evaluation.hpp"
 
 #include <algorithm>
 #include <array>
@@ -77,8 +77,8 @@ Result<std::string> patch_evaluation_json(const Document& document, const Object
   if (!built.ok()) return built.error();
   const Surface& surface = built->surface;
   const std::vector<WrittenPatch> written = written_patches(object, surface);
-  const auto smooth = std::count_if(surface.seams().begin(), surface.seams().end(),
-                                    [](const Seam& seam) { return seam.intended != Continuity::g0; });
+  const auto smooth = std::ranges::count_if(surface.seams(),
+                                            [](const Seam& seam) { return seam.intended != Continuity::g0; });
   const Measures measures = measure(surface);
   const ContinuityReport report = continuity(surface);
   JsonWriter json(1);

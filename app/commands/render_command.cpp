@@ -1,14 +1,21 @@
-#include <algorithm>
+#include <cmath>
+#include <iostream>
+#include <span>
+#include <vector>
 
 #include "app/commands/commands.hpp"
 #include "app/commands/console.hpp"
 #include "app/commands/document_input.hpp"
-#include "app/commands/saved_view_camera.hpp"
 #include "app/commands/shown_objects.hpp"
+#include "app/pictures/sample_pictures.hpp"
 #include "core/base/files/file_io.hpp"
 #include "core/document/edits/edit_making.hpp"
+#include "render/drawing_camera.hpp"
+#include "render/offscreen.hpp"
 #include "render/picture.hpp"
+#include "render/renderer.hpp"
 #include "render/surface_maps.hpp"
+#include "ui/editor/selected_items.hpp"
 
 namespace hariko {
 
@@ -40,12 +47,9 @@ Result<Document> with_making(const Document& document, const RenderArguments& ar
     if (arguments.map == SurfaceMap::thickness) making.thickness = *arguments.limit * unit;
   }
   if (!arguments.reference.empty()) {
-    const auto found = std::find_if(document.objects.begin(), document.objects.end(),
-                                    [&](const auto& object) { return object->name == arguments.reference; });
-    if (found == document.objects.end())
-      return make_error(e_no_such_object, "There is no object called \"" + arguments.reference + "\".",
-                        "`hariko info` lists the names.");
-    making.reference = (*found)->id;
+    const auto named = objects_named(document, std::span(&arguments.reference, 1));
+    if (!named) return named.error();
+    making.reference = named->front();
   }
   return set_making(document, making);
 }
@@ -73,14 +77,10 @@ Result<Environment> environment_of(const RenderArguments& arguments) {
 }  // namespace
 
 int run_render(const RenderArguments& arguments) {
-  const std::string file = arguments.file.string();
   const auto read = read_document_or_report(arguments.file, arguments.construction);
   if (!read) return exit_failed;
   const auto document = with_making(*read, arguments);
-  if (!document) {
-    report(file, document.error());
-    return exit_failed;
-  }
+  if (!document) return failure(arguments.file, document.error());
 
   Scene scene;
   scene.grid.visible = false;
@@ -89,10 +89,7 @@ int run_render(const RenderArguments& arguments) {
   scene.zebra.stripes = arguments.stripes;
   scene.colour_blind_safe = arguments.colour_blind_safe;
   auto environment = environment_of(arguments);
-  if (!environment) {
-    report(arguments.environment, environment.error());
-    return exit_failed;
-  }
+  if (!environment) return failure(arguments.environment, environment.error());
   scene.environment = std::move(environment).value();
   auto objects = shown_objects_or_report(*document, arguments);
   if (!objects) return exit_failed;
@@ -105,24 +102,55 @@ int run_render(const RenderArguments& arguments) {
     set_ranges(scene, arguments.map, arguments.range, limit_of(*document, arguments.map), legend);
   const PixelSize size{arguments.width, arguments.height};
   const auto camera = camera_for(*document, arguments.saved_view, arguments.view, scene.world_box(), size);
-  if (!camera) {
-    report(file, camera.error());
-    return exit_failed;
-  }
+  if (!camera) return failure(arguments.file, camera.error());
   auto picture = render_picture(scene, *camera, size.width, size.height);
-  if (!picture.ok()) {
-    report(file, picture.error());
-    return exit_failed;
-  }
+  if (!picture.ok()) return failure(arguments.file, picture.error());
   Image image = std::move(picture).value();
   if (has_values(arguments.map)) {
     legend.unit = unit_of(arguments.map, to_string(document->unit));
     paint_legend(image, legend);
   }
-  if (const auto written = write_png(arguments.out, image); !written.ok()) {
-    report(arguments.out.string(), written.error());
-    return exit_failed;
+  if (const auto written = write_png(arguments.out, image); !written.ok())
+    return failure(arguments.out, written.error());
+  return exit_fine;
+}
+
+int run_drawing(const DrawingArguments& arguments) {
+  const auto document = read_document_or_report(arguments.file, arguments.construction);
+  if (!document) return exit_failed;
+  RenderArguments picture;  // picture with the same camera
+  picture.file = arguments.file;
+  auto objects = shown_objects_or_report(*document, picture);
+  if (!objects) return exit_failed;
+  Scene scene;
+  std::vector<DrawnSurface> surfaces;
+  for (ShownObject& object : *objects) {
+    surfaces.push_back({object.surface, Eigen::Affine3d(object.part.transform)});
+    scene.objects.push_back(std::move(object.part));
   }
+  // Cameras count in whole pixels; only the aspect ratio matters to them here.
+  constexpr double fine = 100;
+  const PixelSize shape{int(std::lround(fine * arguments.width)), int(std::lround(fine * arguments.height))};
+  const Box3 box = scene.world_box();
+  const auto seen = camera_for(*document, arguments.saved_view, arguments.view, box, shape);
+  if (!seen) return failure(arguments.file, seen.error());
+  const auto drawing =
+      draw_lines(surfaces, drawing_view(*seen, arguments.width, arguments.height, box, arguments.section),
+                 arguments.lines);
+  if (!drawing.ok()) return failure(arguments.file, drawing.error());
+  if (const auto written = write_file_atomic(arguments.out, write_drawing_svg(*drawing, arguments.unit));
+      !written.ok())
+    return failure(arguments.out, written.error());
+  return exit_fine;
+}
+
+int run_sample_pictures(const std::filesystem::path& assets, const std::filesystem::path& out) {
+  const auto made = make_sample_pictures(assets, out);
+  if (made.ok()) return exit_fine;
+  if (const Code code = made.error().code; code != e_no_egl && code != e_gl_version)
+    return failure(out, made.error());
+  std::cerr << "No pictures of the samples were drawn, so that the first start will take longer: "
+            << made.error().text << " " << made.error().remedy << "\n";
   return exit_fine;
 }
 

@@ -1,17 +1,16 @@
-#include "app/commands/sections_command.hpp"
+#include "app/commands/commands.hpp"
 
 #include <vector>
 
 #include "app/commands/console.hpp"
 #include "app/commands/document_input.hpp"
-#include "app/files/reference_facets.hpp"
+#include "app/files/walled_surface.hpp"
 #include "core/base/files/file_ending.hpp"
 #include "core/base/files/file_io.hpp"
 #include "core/base/text/json_writer.hpp"
 #include "core/document/object_shape.hpp"
 #include "core/drawing/write_section_set.hpp"
 #include "core/exchange/number_text.hpp"
-#include "core/modeling/surfacing/object_surfacer.hpp"
 #include "render/picture.hpp"
 #include "render/scene.hpp"
 
@@ -29,17 +28,11 @@ Result<CutObjects> cut_objects(const Document& document) {
   CutObjects out;
   for (const auto& object : document.objects) {
     if (!object->visible || !has_shape(*object)) continue;
-    Surface surface;
-    if (object->mesh()) {
-      surface = facets_of(*object->mesh());
-    } else {
-      auto built = object_surface(document, *object);
-      if (!built.ok()) return built.error();
-      surface = std::move(built.value().surface);
-    }
+    const auto surface = surface_or_facets(document, *object);
+    if (!surface) return surface.error();
     const std::vector<Similarity> places = places_of(*object);
     for (std::size_t k = 0; k < places.size(); ++k) {
-      out.surfaces.push_back({surface, Eigen::Affine3d(matrix_of(places[k]))});
+      out.surfaces.push_back({*surface, Eigen::Affine3d(matrix_of(places[k]))});
       out.names.push_back(name_of_place(*object, k));
     }
   }
@@ -125,26 +118,20 @@ std::string sections_text(const SectionSet& set, const std::vector<std::string>&
 }  // namespace
 
 int run_sections(const SectionsArguments& arguments) {
-  const auto failed = [&](const Message& error) {
-    report(arguments.file.string(), error);
-    return exit_failed;
-  };
   const auto read = read_document_or_report(arguments.file, arguments.construction);
   if (!read) return exit_failed;
   const auto document = with_only(*read, arguments.only);
-  if (!document.ok()) return failed(document.error());
+  if (!document.ok()) return failure(arguments.file, document.error());
   const auto objects = cut_objects(*document);
-  if (!objects.ok()) return failed(objects.error());
+  if (!objects.ok()) return failure(arguments.file, objects.error());
   const auto set = section_set(objects->surfaces, planes_of(arguments, box_of_corners(objects->surfaces)));
-  if (!set.ok()) return failed(set.error());
+  if (!set.ok()) return failure(arguments.file, set.error());
   const double millimetres = millimetres_per(document->unit);
   const std::string bytes = lower_ending(arguments.out) == ".dxf"
                                 ? write_sections_dxf(*set, arguments.combs, millimetres)
                                 : write_sections_svg(*set, arguments.combs, millimetres);
-  if (const auto written = write_file_atomic(arguments.out, bytes); !written.ok()) {
-    report(arguments.out.string(), written.error());
-    return exit_failed;
-  }
+  if (const auto written = write_file_atomic(arguments.out, bytes); !written.ok())
+    return failure(arguments.out, written.error());
   const std::string text =
       arguments.json ? sections_json(*set, objects->names) : sections_text(*set, objects->names);
   return print(text) ? exit_fine : exit_failed;

@@ -2,14 +2,17 @@
 
 #include "app/commands/console.hpp"
 #include "app/files/left_out.hpp"
-#include "app/files/reference_facets.hpp"
+#include "app/files/walled_surface.hpp"
 #include "core/analysis/combs.hpp"
 #include "core/analysis/continuity.hpp"
+#include "core/document/edits/edit_views.hpp"
 #include "core/document/object_shape.hpp"
 #include "core/modeling/surfacing/object_surfacer.hpp"
 #include "render/picture.hpp"
 #include "render/surface_maps.hpp"
+#include "ui/editor/object_kind.hpp"
 #include "ui/editor/object_lines.hpp"
+#include "ui/editor/saved_views.hpp"
 
 namespace hariko {
 
@@ -35,19 +38,13 @@ Result<MapView> map_view(const Document& document, SurfaceMap map) {
                       "Name an object with --deviation-from.");
   out.reference_id = reference->id;
   out.reference_transform = reference->transform;
-  Surface surface;
-  if (reference->mesh()) {
-    surface = facets_of(*reference->mesh());
-  } else {
-    const auto built = object_surface(document, *reference);
-    if (!built.ok()) return built.error();
-    surface = built->surface;
-  }
-  if (surface.patch_count() == 0)
+  const auto surface = surface_or_facets(document, *reference);
+  if (!surface) return surface.error();
+  if (surface->patch_count() == 0)
     return make_error(e_map_reference, "The reference is empty.",
                       "Name another object with --deviation-from.");
   out.reference = std::make_shared<const DeviationReference>(
-      surface, reference->mesh() ? DeviationReference::Kind::facets : DeviationReference::Kind::smooth);
+      *surface, is_faceted(*reference) ? DeviationReference::Kind::facets : DeviationReference::Kind::smooth);
   return out;
 }
 
@@ -56,7 +53,7 @@ std::optional<Message> build_mesh(const Object& object, const Surface& surface, 
                                   const MapView& view, SceneObject& out) {
   MapPlace place;
   place.transform = object.transform;
-  place.facets = object.mesh() != nullptr;
+  place.facets = is_faceted(object);
   place.pull = view.pull;
   place.reference_transform = view.reference_transform;
   if (object.id == view.reference_id)
@@ -112,7 +109,7 @@ Result<MappedObject> shown_surface(const Document& document, const Object& objec
   auto missing = build_mesh(object, built->surface, arguments.map, density, view, out);
   out.polyhedron = lines_of(document, object);
   out.show_polyhedron = arguments.polyhedron;
-  if (object.solids()) {
+  if (object_kind(object).elements_shown() == ElementsShown::bodies) {
     out.show_bodies = out.x_ray = arguments.polyhedron;
     out.show_points = false;
   }
@@ -125,8 +122,8 @@ Result<MappedObject> shown_surface(const Document& document, const Object& objec
 
 Result<MappedObject> shown_object(const Document& document, const Object& object,
                                   const RenderArguments& arguments, const MapView& view) {
-  auto out = object.mesh() ? Result<MappedObject>(shown_facets(object, arguments, view))
-                           : shown_surface(document, object, arguments, view);
+  auto out = is_faceted(object) ? Result<MappedObject>(shown_facets(object, arguments, view))
+                                : shown_surface(document, object, arguments, view);
   if (!out.ok()) return out;
   SceneObject& part = out.value().shown.part;
   part.transform = matrix_of(object.transform);
@@ -177,6 +174,17 @@ std::optional<std::vector<ShownObject>> shown_objects_or_report(const Document& 
   report(file, make_error(e_nothing_to_show, "No visible object of the file has a shape to show.",
                           "Make an object visible, or add one."));
   return std::nullopt;
+}
+
+Result<Camera> camera_for(const Document& document, const std::string& saved, StandardView side,
+                          const Box3& box, PixelSize size) {
+  if (saved.empty()) return Camera::standard(side).frame(box, size);
+  if (const SavedView* found = find_view(document, saved)) return camera_of(*found);
+  std::string names;
+  for (const SavedView& view : *document.saved_views) names += (names.empty() ? "" : ", ") + view.name;
+  return make_error(e_unknown_view, "There is no saved view called \"" + saved + "\".",
+                    names.empty() ? "The document has none: save a view in the window first."
+                                  : "Choose one of these: " + names + ".");
 }
 
 }  // namespace hariko

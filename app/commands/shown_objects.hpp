@@ -1,12 +1,14 @@
 #pragma once
 
-// Objects that `hariko render` draws, as pictures or lines. Internal to app/commands.
+// Objects that `hariko render` draws, as pictures or lines, and its camera. Internal to app/commands.
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "app/commands/commands.hpp"
 #include "core/document/document.hpp"
+#include "render/camera.hpp"
 
 namespace hariko {
 
@@ -20,5 +22,10 @@ struct ShownObject {
 /// there is none.
 std::optional<std::vector<ShownObject>> shown_objects_or_report(const Document& document,
                                                                 const RenderArguments& arguments);
+
+/// Camera of the saved view, or, where `saved` is empty, from the side with the box framed. Errors:
+/// E_UNKNOWN_VIEW.
+Result<Camera> camera_for(const Document& document, const std::string& saved, StandardView side,
+                          const Box3& box, PixelSize size);
 
 }  // namespace hariko

@@ -1,9 +1,8 @@
-#include "app/commands/skin_evaluation.hpp"
+#include "app/commands/evaluation.hpp"
 
 #include "core/base/text/json_writer.hpp"
 #include "core/skinning/local_skin.hpp"
 #include "core/subdivision/mesh_report.hpp"
-#include "core/subdivision/regular_faces.hpp"
 
 namespace hariko {
 
@@ -25,7 +24,7 @@ void write_figures(JsonWriter& json, const SkinMesh& mesh) {
   json.member("euler", got.euler);
   json.member("crease_edges", mesh.control.creases.size());
   json.member("corner_vertices", mesh.control.corners.size());
-  json.member("regular_faces", regular_faces(mesh.control).size());
+  json.member("regular_faces", regular_face_count(mesh.control));
 }
 
 void write(JsonWriter& json, const SectionMiss& miss) {

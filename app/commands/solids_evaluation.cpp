@@ -1,4 +1,4 @@
-#include "app/commands/solids_evaluation.hpp"
+#include "app/commands/evaluation.hpp"
 
 #include "core/base/text/json_writer.hpp"
 #include "core/envelope/envelope.hpp"

@@ -72,12 +72,8 @@ std::string summary_text(const Unfolding& unfolding) {
 
 int run_unfold(const UnfoldArguments& arguments) {
   const std::string file = arguments.file.string();
-  const auto fail = [&](const Message& message) {
-    report(file, message);
-    return exit_failed;
-  };
   auto facets = model_facets(arguments.file, arguments.facets, arguments.reading);
-  if (!facets.ok()) return fail(facets.error());
+  if (!facets.ok()) return failure(arguments.file, facets.error());
   report(file, facets->warnings);
   if (const auto errors = unfolding_errors(facets->mesh); !errors.empty()) {
     report(file, errors);
@@ -85,27 +81,25 @@ int run_unfold(const UnfoldArguments& arguments) {
   }
   PaperSettings settings = arguments.settings;
   const auto scale = paper_scale(arguments, facets->mesh, facets->millimetres_per_unit);
-  if (!scale.ok()) return fail(scale.error());
+  if (!scale.ok()) return failure(arguments.file, scale.error());
   settings.scale = *scale;
   const auto cut = cut_large_faces(facets->mesh, settings);
-  if (!cut.ok()) return fail(cut.error());
+  if (!cut.ok()) return failure(arguments.file, cut.error());
   if (cut->cut > 0) report(file, cut_faces_message(cut->cut));
   auto graph = FacetGraph::build(cut->mesh);
-  if (!graph.ok()) return fail(graph.error());
+  if (!graph.ok()) return failure(arguments.file, graph.error());
   const auto unfolded =
       unfold(std::make_shared<const FacetGraph>(std::move(graph).value()), settings, arguments.options);
-  if (!unfolded.ok()) return fail(unfolded.error());
+  if (!unfolded.ok()) return failure(arguments.file, unfolded.error());
   const std::vector<Message> messages = unfolding_messages(*unfolded);
   report(file, messages);
-  if (std::any_of(messages.begin(), messages.end(),
-                  [](const Message& message) { return message.severity == Severity::error; }))
+  if (std::ranges::any_of(messages,
+                          [](const Message& message) { return message.severity == Severity::error; }))
     return exit_failed;
   const SheetDrawing drawing = draw_sheets(*unfolded);
   for (const std::filesystem::path& out : arguments.outs)
-    if (const auto written = write_sheet_file(out, drawing); !written.ok()) {
-      report(out.string(), written.error());
-      return exit_failed;
-    }
+    if (const auto written = write_sheet_file(out, drawing); !written.ok())
+      return failure(out, written.error());
   const auto overlaps = overlapping_pairs(printed_polygons(*unfolded), paper_tolerance(*unfolded)).size();
   return print(arguments.json ? summary_json(*unfolded, overlaps) : summary_text(*unfolded)) ? exit_fine
                                                                                              : exit_failed;

@@ -11,7 +11,7 @@ constexpr WorkLane::Key only_gauss_map = 0;
 std::shared_ptr<const Object> active_outline_of(const Editor& editor) {
   if (!editor.has_document) return nullptr;
   const auto& objects = editor.document().objects;
-  const auto found = std::find_if(objects.begin(), objects.end(), [&](const auto& object) {
+  const auto found = std::ranges::find_if(objects, [&](const auto& object) {
     return object->id == editor.selection.active && object->outline();
   });
   return found == objects.end() ? nullptr : *found;

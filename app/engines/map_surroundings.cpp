@@ -24,7 +24,7 @@ void find_reference(const Document& document, const Object& object, const ShownS
   if (!surface || surface->patch_count() == 0) return;
   out.state = ReferenceState::ready;
   out.reference = *surface;
-  out.reference_facets = reference->mesh() != nullptr;
+  out.reference_facets = is_faceted(*reference);
   out.reference_transform = reference->transform;
 }
 

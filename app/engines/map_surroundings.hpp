@@ -22,11 +22,11 @@ enum class ReferenceState {
 /// Values that are those of their defaults where the map does not depend on them, so that nothing is computed
 /// anew without need.
 struct MapSurroundings {
-  double limit = 0;                 ///< of maps with one: degrees, or a length in the document's unit
-  Similarity transform;             ///< of the object, for maps of making
+  double limit = 0;                 ///< limit of maps with one: degrees, or a length in the document's unit
+  Similarity transform;             ///< the object's, for maps of making
   Vector3 pull = Vector3::UnitZ();  ///< for drafts
   ReferenceState state = ReferenceState::unasked;
-  Surface reference;               ///< where the state is ready
+  Surface reference;               ///< the object's, where the state is ready
   bool reference_facets = false;   ///< it consists of flat facets
   Similarity reference_transform;  ///< from its space to the document's
 };

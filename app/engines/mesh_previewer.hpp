@@ -3,7 +3,10 @@
 // MeshPreviewer: computes the mesh of the meshing panel, off the main thread; the latest request wins.
 
 #include "app/engines/work_lane.hpp"
+#include "core/base/cancellation.hpp"
+#include "core/base/progress.hpp"
 #include "ui/editor/editor.hpp"
+#include "ui/editor/meshing.hpp"
 
 namespace hariko {
 
@@ -27,5 +30,11 @@ class MeshPreviewer {
   MeshingSettings settings_;
   WorkLane lane_;  ///< last: its thread stops before the other members are destroyed
 };
+
+/// Meshes an object of the document with the given settings and maps the errors. Errors are part of the
+/// result; cancelled work returns one without meshes.
+MeshingResult preview_mesh(const Document& document, const std::shared_ptr<const Object>& object,
+                           const MeshingSettings& settings, const CancelToken& cancel = {},
+                           const Progress& progress = {});
 
 }  // namespace hariko

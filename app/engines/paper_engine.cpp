@@ -266,10 +266,8 @@ void PaperEngine::search() {
         }
         if (editor_.history.in_gesture()) editor_.cancel_preview();
         const PaperModel kept = kept_of(*found.unfolding, found.made.mesh->names, paper);
-        if (!editor_.commit(set_paper(editor_.history.current(), kept), "Unfold")) {
-          editor_.notify(Notice::Kind::info, editor_.language("The search found the same pages again."));
-          return;
-        }
+        if (!editor_.commit(set_paper(editor_.history.current(), kept), "Unfold"))
+          return editor_.inform("The search found the same pages again.");
         PaperState& state = editor_.paper;
         state.layout = lay_out_paper(editor_.document().paper, found.made.mesh, *found.unfolding);
         state.remember(state.layout);

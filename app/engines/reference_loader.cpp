@@ -129,10 +129,8 @@ void ReferenceLoader::tell_missing() {
   }
   if (count == 0) return;
   if (count > most_names) names += ", \u2026";
-  editor_.notify(Notice::Kind::warning,
-                 fill(editor_.language("Reference pictures that cannot be shown: {0} ({1})"),
-                      {std::to_string(count), names}),
-                 editor_.language("File > Reference pictures > Find missing pictures shows where they are."));
+  editor_.warn({"Reference pictures that cannot be shown: {0} ({1})", {std::to_string(count), names}},
+               "File > Reference pictures > Find missing pictures shows where they are.");
 }
 
 }  // namespace hariko

@@ -4,9 +4,10 @@
 #include <chrono>
 #include <exception>
 
-#include "app/files/reference_facets.hpp"
+#include "app/files/walled_surface.hpp"
 #include "core/analysis/combs.hpp"
 #include "core/analysis/continuity.hpp"
+#include "core/document/object_shape.hpp"
 #include "core/modeling/surfacing/merged_faces.hpp"
 #include "core/polyhedron/validation.hpp"
 #include "ui/editor/view_map.hpp"
@@ -43,6 +44,16 @@ bool same_shape(const Object& a, const Object& b) {
   return a.source == b.source;
 }
 
+// Sources without faces of the designer's own.
+void add_face_shapes(const MeshSource&, std::vector<Message>&) {}
+void add_face_shapes(const PatchSource&, std::vector<Message>&) {}
+void add_face_shapes(const BezierSource&, std::vector<Message>&) {}
+void add_face_shapes(const SolidsSource&, std::vector<Message>&) {}
+void add_face_shapes(const SkinSource&, std::vector<Message>&) {}
+void add_face_shapes(const OutlineSource&, std::vector<Message>&) {}
+void add_face_shapes(const PictureSource&, std::vector<Message>&) {}
+void add_face_shapes(const UnknownSource&, std::vector<Message>&) {}
+
 /// Prepends warnings about the shape of the designer's faces to the surface's own, which follow from them.
 void add_face_shapes(const PolyhedronSource& source, std::vector<Message>& warnings) {
   std::vector<Message> all = face_shape_warnings_of(source.polyhedron);
@@ -57,7 +68,7 @@ void add_face_shapes(const PolyhedronSource& source, std::vector<Message>& warni
 /// Display density: as requested; higher on small models, whose outlines would show corners, and lower where
 /// the whole would exceed what a screen can use.
 int density_of(const Object& object, const Surface& surface, SurfaceMap map) {
-  if (object.mesh()) return facet_density(map, surface.patch_count());
+  if (is_faceted(object)) return facet_density(map, surface.patch_count());
   constexpr double smooth_budget = 30'000, largest_budget = 2'000'000;  // triangles
   constexpr int smooth_density = 24;
   const auto within = [&](double budget) {
@@ -124,22 +135,22 @@ SurfaceView SurfaceBuilder::build(const std::shared_ptr<const Object>& object,
 
 Result<ObjectSurface> SurfaceBuilder::surface_of(const Object& object, const ObjectPointers& neighbours,
                                                  Quality quality, const CancelToken& cancel) {
-  if (const MeshSource* mesh = object.mesh()) {
+  if (is_faceted(object)) {
     ObjectSurface out;
-    out.surface = facets_of(*mesh);
+    out.surface = facets_of(*object.mesh());
     out.revision = ++facet_revision_;
     return out;
   }
   auto made = surfacer_.surface(object, neighbours, quality, cancel);
-  if (made.ok() && object.polyhedron() && quality == Quality::final)
-    add_face_shapes(*object.polyhedron(), made.value().warnings);
+  if (made.ok() && quality == Quality::final)
+    std::visit([&](const auto& source) { add_face_shapes(source, made.value().warnings); }, object.source);
   return made;
 }
 
 MapPlace SurfaceBuilder::place_of(const Object& object, const MapSurroundings& surroundings) {
   MapPlace place;
   place.transform = surroundings.transform;
-  place.facets = object.mesh() != nullptr;
+  place.facets = is_faceted(object);
   place.pull = surroundings.pull;
   place.reference_transform = surroundings.reference_transform;
   if (surroundings.state != ReferenceState::ready) {

@@ -37,10 +37,10 @@ class SurfaceBuilder final : public ViewBuilder {
   std::uint64_t base_revision_ = 0, facet_revision_ = 0;
   std::shared_ptr<const CombLines> combs_;  ///< combs of last_
   SurfaceMap map_ = SurfaceMap::shaded;
-  MapSurroundings surroundings_;  ///< of `base_mesh_`
+  MapSurroundings surroundings_;  ///< those of `base_mesh_`
   bool rough_ = false;            ///< whether the values of `base_mesh_` are those of a gesture
   std::optional<Message> map_error_;
-  std::shared_ptr<const DeviationReference> reference_;  ///< of `surroundings_`; null where unused
+  std::shared_ptr<const DeviationReference> reference_;  ///< made for `surroundings_`; null where unused
   MapRange range_settings_;
   ValueRange range_;
   std::vector<float> histogram_;

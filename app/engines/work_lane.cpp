@@ -24,8 +24,8 @@ void WorkLane::submit(Key key, Job job, Running running) {
     if (running == Running::cancel)
       std::erase_if(finished_, [key](const Finished& result) { return result.key == key; });
     Waiting next{key, std::move(job), CancelToken::make()};
-    const auto same = std::find_if(waiting_.begin(), waiting_.end(),
-                                   [key](const Waiting& waiting) { return waiting.key == key; });
+    const auto same =
+        std::ranges::find_if(waiting_, [key](const Waiting& waiting) { return waiting.key == key; });
     if (same != waiting_.end())
       *same = std::move(next);
     else
@@ -59,10 +59,8 @@ std::size_t WorkLane::publish() {
 bool WorkLane::busy(Key key) const {
   const std::lock_guard lock(mutex_);
   return (running_ && running_->first == key) ||
-         std::any_of(waiting_.begin(), waiting_.end(),
-                     [key](const auto& waiting) { return waiting.key == key; }) ||
-         std::any_of(finished_.begin(), finished_.end(),
-                     [key](const auto& result) { return result.key == key; });
+         std::ranges::any_of(waiting_, [key](const auto& waiting) { return waiting.key == key; }) ||
+         std::ranges::any_of(finished_, [key](const auto& result) { return result.key == key; });
 }
 
 bool WorkLane::idle() const {

@@ -1,18 +1,18 @@
 #include "app/files/export_cad.hpp"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <cmath>
 #include <ctime>
 #include <limits>
 #include <optional>
+#include <utility>
 
 #include "app/files/export_surfaces.hpp"
 #include "app/files/left_out.hpp"
 #include "app/files/walled_surface.hpp"
 #include "core/base/files/file_io.hpp"
 #include "core/cad/cad_measure.hpp"
+#include "core/cad/reversed_model.hpp"
 #include "core/exchange/mesh_file.hpp"
 
 namespace hariko {
@@ -37,18 +37,20 @@ CadUnit cad_unit(Unit unit) {
   }
 }
 
-/// Moves a model from object space to the file's, in millimetres.
+/// Moves a model from object space to the file's, in millimetres. Mirror images keep their outside.
 void place(CadModel& model, const Similarity& transform, double factor) {
   const auto move = [&](Vector3& p) { p = factor * transform.apply_to_vector(p); };
   model.origin = factor * transform.apply(model.origin);
-  model.size *= factor * transform.scale;
+  const double lengths = factor * transform.length_scale();
+  model.size *= lengths;
   for (Vector3& vertex : model.vertices) move(vertex);
   for (CadEdge& edge : model.edges) {
     for (Vector3& p : edge.curve.points) move(p);
-    edge.deviation *= factor * transform.scale;
+    edge.deviation *= lengths;
   }
   for (CadFace& face : model.faces)
     for (Vector3& p : face.surface.points) move(p);
+  if (transform.mirrors()) model = reversed(std::move(model));
 }
 
 /// Options for an object that is `scale` times as large in the file.
@@ -111,8 +113,8 @@ Result<MadeObject> make_object(const Document& document, const Object& object, c
   report.normal_jump = measure.normal_jump;
   report.curvature = out.model.curvature;
   report.curvature_jump = measure.curvature_jump;
-  report.unreached = std::size_t(std::count_if(measure.distances.begin(), measure.distances.end(),
-                                               [&](double distance) { return distance > tolerance; }));
+  report.unreached = std::size_t(
+      std::ranges::count_if(measure.distances, [&](double distance) { return distance > tolerance; }));
   return out;
 }
 
@@ -155,12 +157,9 @@ std::optional<Message> check_iges_digits(const MadeObject& made, const Document&
                                          const CadChoices& choices) {
   const double rounding = iges_rounding(made.model, choices.unit);
   if (rounding <= made.report.tolerance * millimetres_per(document.unit)) return {};
-  std::array<char, 32> text;
-  const auto end =
-      std::to_chars(text.data(), text.data() + text.size(), rounding, std::chars_format::general, 3);
   return make_error(e_file_digits,
                     made.report.name + ": IGES holds eleven digits, which moves points by up to " +
-                        std::string(text.data(), end.ptr) + " mm so far from zero: more than the tolerance.",
+                        rounded_text(rounding, 3) + " mm so far from zero: more than the tolerance.",
                     "Move the model to zero, write STEP, or choose a larger tolerance.");
 }
 
@@ -181,13 +180,9 @@ std::optional<Message> check_kernel_digits(const std::vector<MadeObject>& made) 
   Eigen::AlignedBox3d all;
   for (const MadeObject& one : made) all.extend(cad_box(one.model));
   const bool moving_helps = all.sizes().maxCoeff() / 2 <= farthest_for_kernel;
-  std::array<char, 32> text;
-  const auto end =
-      std::to_chars(text.data(), text.data() + text.size(), largest * std::numeric_limits<double>::epsilon(),
-                    std::chars_format::general, 3);
   return make_error(e_file_digits,
                     farthest->report.name + ": So far from zero, numbers in the file are " +
-                        std::string(text.data(), end.ptr) +
+                        rounded_text(largest * std::numeric_limits<double>::epsilon(), 3) +
                         " mm apart, and faces of a closed shape have to meet to 0.0000001 mm.",
                     moving_helps
                         ? "Move the model to zero; on the command line --origin zero does that for the file."

@@ -1,12 +1,18 @@
 #include "app/files/export_surfaces.hpp"
 
+#include <array>
+#include <deque>
 #include <string>
+#include <utility>
 
 #include "app/files/left_out.hpp"
-#include "app/files/reference_facets.hpp"
 #include "app/files/walled_surface.hpp"
+#include "core/base/files/file_io.hpp"
 #include "core/document/object_shape.hpp"
 #include "core/exchange/mesh_file.hpp"
+#include "core/exchange/obj/write_control_mesh.hpp"
+#include "core/skinning/evaluate_skin.hpp"
+#include "core/skinning/local_skin.hpp"
 
 namespace hariko {
 
@@ -50,7 +56,10 @@ void place(TriangleMesh& mesh, const Similarity& transform) {
   if (transform == Similarity{}) return;
   mesh.origin = transform.apply(mesh.origin);
   for (Vector3& position : mesh.positions) position = transform.apply_to_vector(position);
-  for (Vector3& normal : mesh.normals) normal = transform.rotation * normal;
+  for (Vector3& normal : mesh.normals) normal = transform.apply_to_normal(normal);
+  if (!transform.mirrors()) return;
+  for (auto* triangles : {&mesh.triangles, &mesh.normal_triangles})
+    for (std::array<Index, 3>& triangle : *triangles) std::swap(triangle[1], triangle[2]);
 }
 
 WriteOptions write_options(const Document& document, const FileChoices& choices, const CancelToken& cancel) {
@@ -82,8 +91,8 @@ Result<std::vector<NamedMesh>> density_meshes(const Document& document, int dens
     ++number;
     part.report(0);
     if (!object->visible || !has_shape(*object)) continue;
-    if (const MeshSource* facets = object->mesh()) {
-      const NamedMesh made{object->name, triangles_of(*facets), colour_of(*object)};
+    if (is_faceted(*object)) {
+      const NamedMesh made{object->name, triangles_of(*object->mesh()), colour_of(*object)};
       triangles += made.mesh.triangles.size() * place_count(*object);
       if (triangles > max_triangles) return beyond_limit();
       append_at_places(meshes, *object, made);
@@ -117,6 +126,33 @@ Result<WrittenMeshes> export_surfaces(const Document& document, const std::files
   std::vector<Message>& warnings = written.value().warnings;
   warnings.insert(warnings.begin(), shapeless.begin(), shapeless.end());
   return written;
+}
+
+Result<Done> export_control_meshes(const Document& document, const std::filesystem::path& path) {
+  std::deque<ControlMesh> meshes;
+  std::vector<NamedControlMesh> named;
+  for (const auto& object : document.objects) {
+    if (!object->visible || !has_control_mesh(*object)) continue;
+    const LocalSkin local = local_skin(*object->skin()->skin);
+    auto made = evaluate_skin(local.skin);
+    if (!made) {
+      Message error = made.error();
+      error.text = object->name + ": " + error.text;
+      return error;
+    }
+    const std::vector<Similarity> places = places_of(*object);
+    for (std::size_t k = 0; k < places.size(); ++k) {
+      meshes.push_back(made->mesh.control);
+      PolygonMesh& mesh = meshes.back().mesh;
+      for (Vector3& p : mesh.positions) p = places[k].apply(local.origin + p);
+      if (places[k].mirrors()) reverse_faces(mesh);
+      named.push_back({name_of_place(*object, k), &meshes.back()});
+    }
+  }
+  if (named.empty())
+    return make_error(e_no_skin, "There is no visible skin whose control mesh could be written.",
+                      "Show a skin, or draw one.");
+  return write_file_atomic(path, write_control_obj(named));
 }
 
 }  // namespace hariko

@@ -1,6 +1,7 @@
 #pragma once
 
-// Export of a document's surfaces as triangles.
+// Export of a document's surfaces as triangles, and of the control meshes of skins, for programs that
+// subdivide themselves.
 
 #include <filesystem>
 #include <string>
@@ -24,7 +25,7 @@ WriteOptions write_options(const Document& document, const FileChoices& choices 
 /// Colour of an object in files.
 MeshColour colour_of(const Object& object);
 
-/// Moves a mesh from object space to the document's.
+/// Moves a mesh from object space to the document's. Mirror images stay oriented outward.
 void place(TriangleMesh& mesh, const Similarity& transform);
 
 /// Mesh of one object.
@@ -50,5 +51,12 @@ Result<WrittenMeshes> export_surfaces(const Document& document, const std::files
                                       int density, const FileChoices& choices = {},
                                       const CancelToken& cancel = {}, const Progress& progress = {},
                                       const Wall& wall = {});
+
+inline constexpr Code e_no_skin{"E_NO_SKIN"};
+
+/// Writes the control meshes of all visible skins to one OBJ file, with creases and corners (see
+/// `write_control_obj`), in the document's space. Errors: those of skinning (with the object's name) and of
+/// writing; E_NO_SKIN where there is nothing to write.
+Result<Done> export_control_meshes(const Document& document, const std::filesystem::path& path);
 
 }  // namespace hariko

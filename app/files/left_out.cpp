@@ -8,14 +8,8 @@ namespace hariko {
 
 namespace {
 
-bool is_shapeless(const Object& object) {
-  return !has_shape(object) && !object.picture();
-}
-bool is_reference(const Object& object) {
-  return object.mesh() != nullptr;
-}
-bool is_no_skin(const Object& object) {
-  return has_shape(object) && !object.skin();
+bool lacks_control_mesh(const Object& object) {
+  return has_shape(object) && !has_control_mesh(object);
 }
 
 using Test = bool (*)(const Object&);
@@ -40,7 +34,7 @@ Named visible(const Document& document, Test test) {
 }  // namespace
 
 std::vector<Message> left_out_of_triangles(const Document& document) {
-  const Named left = visible(document, is_shapeless);
+  const Named left = visible(document, is_unknown);
   if (left.count == 0) return {};
   return {make_warning(w_not_written,
                        "Objects left out: " + std::to_string(left.count) + " (" + left.names +
@@ -50,7 +44,7 @@ std::vector<Message> left_out_of_triangles(const Document& document) {
 
 std::vector<Message> left_out_of_cad(const Document& document) {
   std::vector<Message> out = left_out_of_triangles(document);
-  if (const Named left = visible(document, is_reference); left.count > 0)
+  if (const Named left = visible(document, is_faceted); left.count > 0)
     out.push_back(
         make_warning(w_not_written,
                      "Objects left out: " + std::to_string(left.count) + " (" + left.names +
@@ -61,7 +55,7 @@ std::vector<Message> left_out_of_cad(const Document& document) {
 
 std::vector<Message> left_out_of_control_meshes(const Document& document) {
   std::vector<Message> out = left_out_of_triangles(document);
-  if (const Named left = visible(document, is_no_skin); left.count > 0)
+  if (const Named left = visible(document, lacks_control_mesh); left.count > 0)
     out.push_back(make_warning(w_not_written,
                                "Objects left out: " + std::to_string(left.count) + " (" + left.names +
                                    "). Only skins have control meshes.",
@@ -70,7 +64,7 @@ std::vector<Message> left_out_of_control_meshes(const Document& document) {
 }
 
 std::size_t visible_reference_objects(const Document& document) {
-  return visible(document, is_reference).count;
+  return visible(document, is_faceted).count;
 }
 
 }  // namespace hariko

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "app/files/export_surfaces.hpp"
-#include "app/files/reference_facets.hpp"
 #include "app/files/walled_surface.hpp"
 #include "core/approximation/decimation/decimate.hpp"
 #include "core/document/object_box.hpp"
@@ -25,7 +25,7 @@ MeshOptions in_object_space(MeshOptions options, double scale) {
 /// unchanged.
 std::optional<double> share_of_digits(const Object& object, const MeshRequest& request) {
   const std::optional<double>& distance = request.options.criteria.distance;
-  if (!distance || (object.mesh() && !request.decimate)) return distance;
+  if (!distance || (is_faceted(object) && !request.decimate)) return distance;
   if (!request.digits) return 0.0;
   Eigen::AlignedBox3d box = world_box(object);
   const double wall = std::abs(request.wall.offset) + request.wall.thickness;
@@ -63,8 +63,17 @@ void place(MeshErrorMap& map, const Similarity& transform) {
   for (SurfaceSample& sample : map.samples) sample.position = transform.apply_to_vector(sample.position);
   for (ErrorField* field : {&map.distance, &map.normal_angle, &map.mesh_distance, &map.fold_angle})
     field->place = transform.apply_to_vector(field->place);
-  scale(map.distance, transform.scale);
-  scale(map.mesh_distance, transform.scale);
+  scale(map.distance, transform.length_scale());
+  scale(map.mesh_distance, transform.length_scale());
+}
+
+/// Turns a facet round, as its triangle is.
+void turn_round(ParameterFacet& facet) {
+  std::swap(facet.vertex[1], facet.vertex[2]);
+  std::swap(facet.parameter[1], facet.parameter[2]);
+  if (facet.pole < 0) return;
+  if (facet.pole > 0) facet.pole = 3 - facet.pole;
+  std::swap(facet.parameter[std::size_t(facet.pole)], facet.pole_parameter);
 }
 
 /// Moves a mesh from object space to the document's.
@@ -74,11 +83,13 @@ void place(MeshedObject& object, const Similarity& transform) {
   if (object.errors) place(*object.errors, transform);
   MeshApproximation& result = object.result;
   place(result.mesh, transform);
-  result.distance.largest *= transform.scale;
-  result.distance.mean *= transform.scale;
-  result.distance.bound *= transform.scale;
-  for (float& error : result.distance.facets) error *= static_cast<float>(transform.scale);
-  result.longest_edge *= transform.scale;
+  if (transform.mirrors()) std::ranges::for_each(result.parts, turn_round);
+  const double lengths = transform.length_scale();
+  result.distance.largest *= lengths;
+  result.distance.mean *= lengths;
+  result.distance.bound *= lengths;
+  for (float& error : result.distance.facets) error *= static_cast<float>(lengths);
+  result.longest_edge *= lengths;
 }
 
 Message named(Message error, const std::string& name) {
@@ -127,9 +138,9 @@ MeshedObject as_it_is(const MeshSource& source, const std::string& name) {
 /// Mesh of an object, in its own space.
 Result<MeshedObject> mesh_object(const Document& document, const Object& object, const MeshRequest& request,
                                  const CancelToken& cancel, const Progress& progress) {
-  if (const MeshSource* facets = object.mesh())
-    return request.decimate ? decimated(*facets, object.name, request, cancel, progress)
-                            : as_it_is(*facets, object.name);
+  if (is_faceted(object))
+    return request.decimate ? decimated(*object.mesh(), object.name, request, cancel, progress)
+                            : as_it_is(*object.mesh(), object.name);
   const auto built = walled_surface(document, object, request.wall, FoldedWalls::refuse, cancel);
   if (!built.ok()) return built.error();
   auto made = mesh_of(built->surface, object.name, request, cancel, progress);
@@ -181,6 +192,30 @@ Result<std::vector<MeshedObject>> mesh_surfaces(const Document& document, const 
   if (out.empty())
     return make_error(e_no_surface, "There is nothing to approximate.", "Show an object or import one.");
   return out;
+}
+
+namespace {
+
+/// Enlarged box, as surfaces may extend beyond their sources.
+Eigen::AlignedBox3d enlarged(const Eigen::AlignedBox3d& box) {
+  const Vector3 more = Vector3::Constant(box.diagonal().norm());
+  return {box.min() - more, box.max() + more};
+}
+
+}  // namespace
+
+FileDigits file_digits(const Document& document, const std::filesystem::path& path,
+                       const WriteOptions& options) {
+  const FileNumbers numbers = file_numbers(path, options);
+  if (numbers.kind == FileNumbers::Kind::exact) return {};
+  Eigen::AlignedBox3d whole;
+  for (const auto& object : document.objects)
+    if (object->visible && has_shape(*object)) whole.extend(world_box(*object));
+  const Vector3 zero =
+      options.to_zero && !whole.isEmpty() ? Vector3(whole.center()) : Vector3(Vector3::Zero());
+  return [numbers, zero](const Eigen::AlignedBox3d& box) {
+    return box.isEmpty() ? 0 : largest_rounding(enlarged(box).translated(-zero), numbers);
+  };
 }
 
 }  // namespace hariko

@@ -2,24 +2,34 @@
 
 // Tessellation of a document's visible objects under tolerances.
 
+#include <Eigen/Geometry>
+#include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "app/files/file_digits.hpp"
 #include "core/approximation/approximate.hpp"
 #include "core/approximation/error_map.hpp"
 #include "core/document/document.hpp"
+#include "core/exchange/mesh_file.hpp"
 #include "core/exchange/write_mesh.hpp"
 #include "core/offset/offset_surface.hpp"
 
 namespace hariko {
 
+/// Largest displacement of points in a box of the document by a file's rounding; empty where there is none.
+using FileDigits = std::function<double(const Eigen::AlignedBox3d&)>;
+
+/// Rounding of a file of this name and these options that gets all visible objects.
+FileDigits file_digits(const Document& document, const std::filesystem::path& path,
+                       const WriteOptions& options);
+
 /// Mesh of one object, in the document's space, with its errors in the document's unit.
 struct MeshedObject {
   std::string name;
   MeshApproximation result;
-  std::optional<MeshErrorMap> errors;  ///< where requested; positions are relative to `surface_origin`
+  std::optional<MeshErrorMap> errors;  ///< errors where requested; positions are relative to `surface_origin`
   Vector3 surface_origin = Vector3::Zero();
   MeshColour colour = usual_mesh_colour;
   std::vector<Message> warnings = {};  ///< messages of the wall

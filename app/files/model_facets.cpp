@@ -8,6 +8,7 @@
 #include "app/files/open_file.hpp"
 #include "core/approximation/approximate.hpp"
 #include "core/document/edits/edit_paper.hpp"
+#include "core/document/object_shape.hpp"
 #include "core/exchange/mesh_file.hpp"
 #include "core/exchange/repair/clean_part.hpp"
 #include "core/modeling/surfacing/object_surfacer.hpp"
@@ -26,7 +27,8 @@ Message too_many() {
                     "Choose a larger distance.");
 }
 
-/// Appends polygons, moved into the document's space, as further components.
+/// Appends polygons, moved into the document's space, as further components. Mirror images stay oriented
+/// outward.
 void append(ModelFacets& out, const PolygonMesh& mesh, const Vector3& origin, const Similarity& transform,
             std::vector<PaperVertex> names) {
   const auto first = static_cast<Index>(out.mesh.positions.size());
@@ -37,6 +39,7 @@ void append(ModelFacets& out, const PolygonMesh& mesh, const Vector3& origin, co
   for (std::size_t f = 0; f < mesh.face_count(); ++f) {
     face.assign(mesh.face(f).begin(), mesh.face(f).end());
     for (Index& vertex : face) vertex += first;
+    if (transform.mirrors()) std::reverse(face.begin() + 1, face.end());
     out.mesh.add_face(face);
   }
 }
@@ -207,8 +210,8 @@ Result<ModelFacets> document_facets(const Document& document, std::span<const Ob
     ++done;
     const Object* object = document.find(id);
     if (!object) continue;
-    if (const MeshSource* mesh = object->mesh())
-      append_mesh(out, *object, *mesh);
+    if (is_faceted(*object))
+      append_mesh(out, *object, *object->mesh());
     else if (options.of_polyhedra && object->polyhedron())
       append_polyhedron(out, *object);
     else if (object->has_surface())

@@ -5,7 +5,6 @@
 #include <filesystem>
 #include <optional>
 #include <span>
-#include <string>
 
 #include "app/files/reading.hpp"
 #include "core/base/cancellation.hpp"

@@ -7,8 +7,7 @@
 #include <set>
 #include <utility>
 
-#include "app/files/content_ending.hpp"
-#include "app/files/foreign_format.hpp"
+#include "app/files/file_kind.hpp"
 #include "app/files/open_cad.hpp"
 #include "app/files/reading.hpp"
 #include "core/base/files/file_ending.hpp"
@@ -205,10 +204,7 @@ void open_mesh(const std::filesystem::path& file, const CancelToken& cancel, con
   limits.cancel = cancel;
   limits.progress = progress.part(0, 0.8);
   auto imported = read_scene_file(file, limits);
-  if (!imported.ok()) {
-    opened.messages.push_back(imported.error());
-    return;
-  }
+  if (!imported.ok()) return opened.messages.push_back(imported.error());
   ImportedScene scene = std::move(imported).value();
   opened.messages = std::move(scene.warnings);
   const std::size_t warnings = opened.messages.size();
@@ -308,10 +304,7 @@ void open_patches(const std::filesystem::path& file, OpenedFile& opened) {
 }
 
 void take(Result<OpenedCad> cad, OpenedFile& opened) {
-  if (!cad.ok()) {
-    opened.messages.push_back(cad.error());
-    return;
-  }
+  if (!cad.ok()) return opened.messages.push_back(cad.error());
   opened.document = std::move(cad.value().document);
   opened.messages = std::move(cad.value().warnings);
   opened.says_unit = true;
@@ -346,8 +339,8 @@ Result<JsonKind> content_of(const std::filesystem::path& file) {
 }  // namespace
 
 const Message* OpenedFile::error() const {
-  const auto found = std::find_if(messages.begin(), messages.end(),
-                                  [](const Message& message) { return message.severity == Severity::error; });
+  const auto found = std::ranges::find_if(
+      messages, [](const Message& message) { return message.severity == Severity::error; });
   return found == messages.end() ? nullptr : &*found;
 }
 
@@ -368,6 +361,7 @@ OpenedFile open_file(const std::filesystem::path& file, const CancelToken& cance
   if (!has_ending(file, ".hariko") && !has_ending(file, ".json") && !has_ending(file, ".bpt")) {
     const auto looks = looks_of(file);
     if (looks.ok() && *looks == Looks::mesh) {
+      opened.meshes = true;
       open_mesh(file, cancel, progress, join, opened);
       return cancel.cancelled() ? cancelled_file() : std::move(opened);
     }

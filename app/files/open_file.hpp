@@ -28,7 +28,9 @@ struct OpenedFile {
   std::string name;             ///< name of a mesh file's object: the file's own, else the file name
   bool meshes = false;          ///< a mesh file whose polyhedra were not made by this program
   std::size_t dense_faces = 0;  ///< number of faces of the densest mesh where the user is to be asked; else 0
-  bool native = false;          ///< a *.hariko document, so that saving may go to the same file
+  /// Number of closed parts of polyhedra that are inside out, where `prepare_meshes` counted them.
+  std::size_t inside_out = 0;
+  bool native = false;  ///< a *.hariko document, so that saving may go to the same file
   /// Whether the file gives the unit of its lengths; the documents have it, or millimetres.
   bool says_unit = false;
 

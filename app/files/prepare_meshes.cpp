@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "app/files/reading.hpp"
 #include "core/document/edits/edits.hpp"
 #include "core/modeling/operations/sharp_edges.hpp"
 
@@ -9,9 +10,21 @@ namespace hariko {
 
 namespace {
 
+/// Faces of a source's own: facets, or those of a polyhedron.
+struct OwnFaces {
+  std::size_t operator()(const PolyhedronSource& source) const { return source.polyhedron.face_count(); }
+  std::size_t operator()(const MeshSource& source) const { return source.mesh->face_count(); }
+  std::size_t operator()(const PatchSource&) const { return 0; }
+  std::size_t operator()(const BezierSource&) const { return 0; }
+  std::size_t operator()(const SolidsSource&) const { return 0; }
+  std::size_t operator()(const SkinSource&) const { return 0; }
+  std::size_t operator()(const OutlineSource&) const { return 0; }
+  std::size_t operator()(const PictureSource&) const { return 0; }
+  std::size_t operator()(const UnknownSource&) const { return 0; }
+};
+
 std::size_t faces_of(const Object& object) {
-  if (const PolyhedronSource* source = object.polyhedron()) return source->polyhedron.face_count();
-  return object.mesh() ? object.mesh()->mesh->face_count() : 0;
+  return std::visit(OwnFaces(), object.source);
 }
 
 std::size_t most_faces(const Document& document) {
@@ -40,6 +53,7 @@ void crease(std::optional<Document>& document, double degrees) {
 
 void prepare_meshes(OpenedFile& opened, const MeshImport& choice) {
   if (!opened.meshes) return;
+  if (opened.document) opened.inside_out = parts_inside_out(*opened.document);
   if (choice.creases)
     for (auto* document : {&opened.document, &opened.repaired}) crease(*document, choice.crease_degrees);
   if (opened.document) {

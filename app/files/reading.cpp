@@ -32,6 +32,18 @@ JoinChoice join_choice(const Reading& reading) {
   return out;
 }
 
+std::size_t parts_inside_out(const Document& document) {
+  std::size_t count = 0;
+  for (const auto& object : document.objects) {
+    const PolyhedronSource* source = object->polyhedron();
+    if (!source) continue;
+    const Polyhedron& polyhedron = source->polyhedron;
+    const std::vector<char> wrong = inside_out_components(polyhedron.topology(), polyhedron.positions());
+    count += static_cast<std::size_t>(std::count(wrong.begin(), wrong.end(), 1));
+  }
+  return count;
+}
+
 void turn_outwards(OpenedFile& opened) {
   if (!opened.document || !opened.meshes) return;
   std::size_t turned = 0;

@@ -25,6 +25,9 @@ struct Reading {
 /// Corners to join while a file is opened, and edges to split.
 JoinChoice join_choice(const Reading& reading);
 
+/// Number of closed parts of a document's polyhedra that are inside out. O(faces), and O(n log n) where some
+/// look inwards and some outwards.
+std::size_t parts_inside_out(const Document& document);
 /// Turns closed parts of a mesh file's polyhedra outwards that are inside out; W_TURNED_OUTWARDS counts their
 /// faces.
 void turn_outwards(OpenedFile& opened);

@@ -2,6 +2,10 @@
 
 #include <utility>
 
+#include "core/document/object_shape.hpp"
+#include "core/exchange/repair/triangulate.hpp"
+#include "core/surface/facets.hpp"
+
 namespace hariko {
 
 namespace {
@@ -39,11 +43,30 @@ Result<ObjectSurface> walled_surface(const Document& document, const Object& obj
 std::optional<Message> why_no_wall(const Document& document, const Wall& wall) {
   if (wall.none()) return {};
   for (const auto& object : document.objects)
-    if (object->visible && object->mesh())
+    if (object->visible && is_faceted(*object))
       return make_error(e_offset_facets,
                         object->name + ": Reference facets have no smooth surface to keep a distance from.",
                         "Hide the object, or make a polyhedron of it first.");
   return {};
+}
+
+TriangleMesh triangles_of(const MeshSource& source) {
+  return {source.origin, source.mesh->positions, triangulate(*source.mesh).triangles, {}, {}};
+}
+
+Surface facets_of(const MeshSource& source) {
+  FaceTriangles cut = triangulate(*source.mesh);
+  std::vector<Element> sources;
+  sources.reserve(cut.faces.size());
+  for (const Index face : cut.faces) sources.push_back({Element::Kind::face, face});
+  return facet_surface(source.origin, source.mesh->positions, std::move(cut.triangles), sources);
+}
+
+Result<Surface> surface_or_facets(const Document& document, const Object& object, const CancelToken& cancel) {
+  if (is_faceted(object)) return facets_of(*object.mesh());
+  auto built = object_surface(document, object, cancel);
+  if (!built.ok()) return built.error();
+  return std::move(built).value().surface;
 }
 
 }  // namespace hariko

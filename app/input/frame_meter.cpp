@@ -13,8 +13,8 @@ void FrameMeter::measure(Editor& editor, const Frame& frame, std::span<const Inp
   const SurfaceView* shown = object ? editor.view_of(object->id) : nullptr;
   // The surface shown by this frame answers the drag that made its object.
   while (shown && !dragged_.empty()) {
-    const auto found = std::find_if(dragged_.begin(), dragged_.end(),
-                                    [&](const auto& entry) { return entry.first == shown->object; });
+    const auto found =
+        std::ranges::find_if(dragged_, [&](const auto& entry) { return entry.first == shown->object; });
     if (found == dragged_.end()) break;
     editor.frame_times.add_latency(1000 * (now - found->second));
     dragged_.erase(dragged_.begin(), found + 1);

@@ -23,7 +23,7 @@ bool is_modifier(const InputEvent& event) {
 
 /// Whether a frame that gets `batch` may also get `next`.
 bool fits(const std::vector<InputEvent>& batch, const InputEvent& next) {
-  const bool only_moves = std::all_of(batch.begin(), batch.end(), is_move);
+  const bool only_moves = std::ranges::all_of(batch, is_move);
   switch (next.kind) {
     case Kind::move:
     case Kind::leave:
@@ -33,11 +33,11 @@ bool fits(const std::vector<InputEvent>& batch, const InputEvent& next) {
       // frame.
       return next.down ? only_moves : batch.empty();
     case Kind::wheel:
-      return std::all_of(batch.begin(), batch.end(),
-                         [](const InputEvent& event) { return is_move(event) || event.kind == Kind::wheel; });
+      return std::ranges::all_of(
+          batch, [](const InputEvent& event) { return is_move(event) || event.kind == Kind::wheel; });
     case Kind::key:
     case Kind::text:
-      return std::all_of(batch.begin(), batch.end(), [&](const InputEvent& event) {
+      return std::ranges::all_of(batch, [&](const InputEvent& event) {
         if (event.kind == Kind::text || is_move(event)) return true;
         if (event.kind != Kind::key) return false;
         // A frame would miss a key that goes down and up, and modifiers that hold for some keys only: a
@@ -47,8 +47,7 @@ bool fits(const std::vector<InputEvent>& batch, const InputEvent& next) {
         return !same && (next.kind == Kind::text || next.modifiers == event.modifiers);
       });
     case Kind::cap:
-      return std::all_of(batch.begin(), batch.end(),
-                         [](const InputEvent& event) { return event.kind == Kind::cap; });
+      return std::ranges::all_of(batch, [](const InputEvent& event) { return event.kind == Kind::cap; });
     default:
       return batch.empty();
   }

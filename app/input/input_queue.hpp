@@ -6,7 +6,6 @@
 #include <array>
 #include <deque>
 #include <filesystem>
-#include <string>
 #include <utility>
 #include <vector>
 

@@ -105,8 +105,7 @@ InputEvent event_from(const Json& json) {
   if (event.kind == Kind::cap) {
     event.cap = json.at("cap").get<std::array<double, 6>>();
     event.seconds = json.at("seconds").get<double>();
-    const bool finite =
-        std::all_of(event.cap.begin(), event.cap.end(), [](double x) { return std::isfinite(x); });
+    const bool finite = std::ranges::all_of(event.cap, [](double x) { return std::isfinite(x); });
     if (!finite || !std::isfinite(event.seconds)) throw std::runtime_error("a number is not finite");
   }
   event.meant = event.kind == Kind::key ? json.value("meant", event.code) : 0;

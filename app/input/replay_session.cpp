@@ -67,7 +67,7 @@ bool ReplaySession::follow_requests() {
     recorder_.reset();
     log_.file("recorded", {});
     if (whole)
-      editor_.notify(Notice::Kind::info, editor_.language("The replay is written."));
+      editor_.inform("The replay is written.");
     else
       editor_.notify(Notice::Kind::error,
                      editor_.language("The replay is not whole: its file could not be written to the end."));

@@ -5,7 +5,6 @@
 #include <chrono>
 #include <filesystem>
 #include <optional>
-#include <vector>
 
 #include "app/engines/rebuild_engine.hpp"
 #include "app/input/replay.hpp"

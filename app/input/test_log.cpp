@@ -7,7 +7,8 @@
 #include <algorithm>
 
 #include "core/base/text/json_writer.hpp"
-#include "ui/editor/selection_text.hpp"
+#include "ui/editor/object_kind.hpp"
+#include "ui/editor/selected_items.hpp"
 
 namespace hariko {
 
@@ -24,23 +25,21 @@ std::string event_line(const char* name, Body&& body) {
   return json.take();
 }
 
-/// Writes "id": {"vertex": [x, y, depth], ...} for objects with vertices, or solids, that tests may point at.
+/// Writes "id": {"vertex": [x, y, depth], ...} for objects with vertices, points or solids, that tests may
+/// point at.
 void write_pixels(JsonWriter& json, const Object& object, const Projector& projector, ImVec2 corner) {
-  constexpr Index most = 300;
-  const PolyhedronSource* source = object.polyhedron();
-  const SolidsSource* solids = object.solids();
-  if (!solids && (!source || source->polyhedron.vertex_count() > most)) return;
-  const auto add = [&](std::uint32_t id, const Vector3& local) {
-    if (const auto pixel = projector.project(object.transform.apply(local)))
-      json.member(std::to_string(id), {corner.x + pixel->x(), corner.y + pixel->y(), pixel->z()});
-  };
+  constexpr std::size_t most = 300;
+  if (object.cage() && object.cage()->vertex_count() > most) return;
+  const ObjectKind& kind = object_kind(object);
+  const auto ids = kind.all(object, ElementMode::vertex).vertices;
+  if (ids.empty() || ids.size() > most) return;
   json.object(std::to_string(object.id.value), [&] {
-    if (solids) {
-      for (const Solid& solid : solids->input->solids) add(solid.id, solid.position);
-      return;
+    for (const VertexId id : ids) {
+      const auto place = kind.place(object, element_of(id));
+      const auto pixel = place ? projector.project(object.transform.apply(*place)) : std::nullopt;
+      if (pixel)
+        json.member(std::to_string(id.value), {corner.x + pixel->x(), corner.y + pixel->y(), pixel->z()});
     }
-    for (Index v = 0; v < source->polyhedron.vertex_count(); ++v)
-      add(source->polyhedron.vertex_id(v).value, source->origin + source->polyhedron.position(v));
   });
 }
 
@@ -111,10 +110,8 @@ void TestLog::first_frame(const Workbench& workbench) {
   const auto milliseconds = [](const timeval& time) {
     return 1e3 * static_cast<double>(time.tv_sec) + 1e-3 * static_cast<double>(time.tv_usec);
   };
-  const auto& samples = workbench.samples();
-  const auto missing = std::count_if(samples.begin(), samples.end(), [](const Sample& sample) {
-    return sample.wanted && !sample.picture.texture;
-  });
+  const auto missing = std::ranges::count_if(
+      workbench.samples(), [](const Sample& sample) { return sample.wanted && !sample.picture.texture; });
   out_ << event_line("first_frame", [&](JsonWriter& json) {
     json.member("cpu_ms", milliseconds(used.ru_utime) + milliseconds(used.ru_stime));
     json.member("user_ms", milliseconds(used.ru_utime));

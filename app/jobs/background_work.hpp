@@ -2,9 +2,7 @@
 
 // BackgroundWork: work on files off the main thread, shown in the status line while it runs.
 
-#include <algorithm>
 #include <memory>
-#include <string>
 #include <utility>
 
 #include "app/engines/work_lane.hpp"
@@ -25,14 +23,14 @@ class BackgroundWork {
   /// Runs `work(cancel)` on the worker and passes its result to `done` on the main thread. `what` names it in
   /// the status line; empty for work that is not shown.
   template <class Work, class Done>
-  void run(std::string what, Work work, Done done) {
+  void run(Phrase what, Work work, Done done) {
     submit(what.empty() ? nullptr : show(std::move(what), false), std::move(work), std::move(done));
   }
 
   /// Runs `work(cancel, progress)`, which the user may cancel: it should then return soon, and `done` gets
   /// its result in that case, too.
   template <class Work, class Done>
-  void run_cancellable(std::string what, Work work, Done done) {
+  void run_cancellable(Phrase what, Work work, Done done) {
     const auto job = show(std::move(what), true);
     submit(
         job, [job, work = std::move(work)](const CancelToken&) { return work(job->cancel, job->progress); },
@@ -48,7 +46,7 @@ class BackgroundWork {
  private:
   using SharedJob = std::shared_ptr<const Job>;
 
-  SharedJob show(std::string what, bool can_be_cancelled) {
+  SharedJob show(Phrase what, bool can_be_cancelled) {
     shown_.push_back(std::make_shared<const Job>(
         Job{std::move(what), can_be_cancelled, CancelToken::make(), Progress::make()}));
     editor_.jobs.push_back(shown_.back());

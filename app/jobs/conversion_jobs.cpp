@@ -45,7 +45,7 @@ void ConversionJobs::convert(ObjectId id) {
   const Work work = object ? work_on(object) : Work();
   if (!work) return;
   if (converting_) converting_->cancel.cancel();
-  work_.run_cancellable(fill(translatable("Converting {0}"), {object->name}), work,
+  work_.run_cancellable(Phrase(translatable("Converting {0}"), {object->name}), work,
                         [this, object, number = ++conversions_](const Result<Made>& made) {
                           if (number == conversions_) take(*object, made);
                         });
@@ -60,9 +60,7 @@ void ConversionJobs::take(const Object& object, const Result<Made>& made) {
   const Object* now = editor_.history.current().find(object.id);
   if (!now) return;
   if (!(now->source == object.source))
-    return editor_.notify(
-        Notice::Kind::warning,
-        editor_.language(translatable("The object was changed while it was converted. Convert it again.")));
+    return editor_.warn("The object was changed while it was converted. Convert it again.");
   if (editor_.history.in_gesture()) editor_.cancel_preview();
   DisplaySettings display = now->display;
   display.polyhedron = true;
@@ -77,7 +75,7 @@ void ConversionJobs::take(const Object& object, const Result<Made>& made) {
   editor_.selection.clear_objects();
   editor_.selection.active = added->id;
   for (const Message& warning : made->warnings) editor_.notify(warning);
-  editor_.notify(Notice::Kind::info, editor_.language.phrase(made->note));
+  editor_.inform(made->note);
   log_("converted", {});
 }
 

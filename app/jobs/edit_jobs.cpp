@@ -1,7 +1,6 @@
 #include "app/jobs/edit_jobs.hpp"
 
 #include <algorithm>
-#include <utility>
 
 namespace hariko {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "app/jobs/background_work.hpp"
-#include "ui/editor/long_edit.hpp"
+#include "ui/editor/last_operation.hpp"
 
 namespace hariko {
 

@@ -5,7 +5,7 @@
 #include "app/files/export_surfaces.hpp"
 #include "app/files/left_out.hpp"
 #include "app/files/mesh_surfaces.hpp"
-#include "app/files/reference_facets.hpp"
+#include "app/files/walled_surface.hpp"
 #include "core/document/object_shape.hpp"
 #include "core/exchange/mesh_file.hpp"
 #include "core/modeling/surfacing/object_surfacer.hpp"
@@ -61,8 +61,8 @@ Result<ExportCount> count_by_density(const Document& document, int density, cons
   const auto n = static_cast<std::size_t>(density);
   for (const auto& object : document.objects) {
     if (!object->visible || !has_shape(*object)) continue;
-    if (const MeshSource* facets = object->mesh()) {
-      count.triangles += triangles_of(*facets).triangles.size() * place_count(*object);
+    if (is_faceted(*object)) {
+      count.triangles += triangles_of(*object->mesh()).triangles.size() * place_count(*object);
       continue;
     }
     const auto built = object_surface(document, *object, cancel);

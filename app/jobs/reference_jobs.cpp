@@ -1,7 +1,5 @@
 #include "app/jobs/reference_jobs.hpp"
 
-#include <algorithm>
-#include <memory>
 #include <utility>
 
 #include "core/base/files/file_io.hpp"
@@ -58,7 +56,7 @@ void ReferenceJobs::add(const std::vector<fs::path>& files) {
   if (files.empty()) return;
   begin_document(editor_);
   work_.run(
-      fill(translatable("Reading {0}"), {name_of_file(files.front())}),
+      Phrase(translatable("Reading {0}"), {name_of_file(files.front())}),
       [files](const CancelToken&) {
         std::vector<Read> out;
         for (const fs::path& file : files) out.push_back(read(file, false));
@@ -152,7 +150,7 @@ void ReferenceJobs::unpack(ObjectId picture, const fs::path& file) {
   const Object* object = editor_.history.current().find(picture);
   if (!object || !object->picture() || !object->picture()->packed()) return;
   work_.run(
-      fill(translatable("Saving {0}"), {name_of_file(file)}),
+      Phrase(translatable("Saving {0}"), {name_of_file(file)}),
       [path = normal_path(file), bytes = object->picture()->bytes](const CancelToken&) {
         if (auto written = write_file_atomic(path, *bytes); !written) return Read{path, written.error()};
         return read(path, false);
@@ -164,7 +162,7 @@ void ReferenceJobs::unpack(ObjectId picture, const fs::path& file) {
 
 void ReferenceJobs::replace(ObjectId picture, const fs::path& file) {
   work_.run(
-      fill(translatable("Reading {0}"), {name_of_file(file)}),
+      Phrase(translatable("Reading {0}"), {name_of_file(file)}),
       [file](const CancelToken&) { return read(file, false); },
       [this, picture](const Read& read) {
         take_files({{picture, read}}, translatable("Choose another picture"), "picture_replaced");

@@ -2,11 +2,9 @@
 
 #include <algorithm>
 
-#include "app/files/control_mesh_file.hpp"
-#include "app/files/left_out.hpp"
 #include "core/document/edits/edits.hpp"
 #include "core/skinning/edit/add_section.hpp"
-#include "ui/base/columns_job.hpp"
+#include "ui/base/job.hpp"
 #include "ui/editor/skin_edits.hpp"
 
 namespace hariko {
@@ -28,7 +26,7 @@ void SkinJobs::make_section() {
       continue;
     }
     edits_.run_cancellable(
-        fill(translatable("Adding a section to {0}"), {object->name}),
+        Phrase(translatable("Adding a section to {0}"), {object->name}),
         [object, at = place](const CancelToken& cancel, const Progress& progress) {
           SkinWork work;
           work.cancel = cancel;
@@ -61,7 +59,7 @@ const Object* SkinJobs::still(const Object& object, const char* changed) const {
   const Object* now = editor_.history.current().find(object.id);
   if (!now || !now->skin()) return nullptr;
   if (now->skin()->skin == object.skin()->skin) return now;
-  editor_.notify(Notice::Kind::warning, editor_.language(changed));
+  editor_.warn(changed);
   return nullptr;
 }
 
@@ -72,24 +70,6 @@ void SkinJobs::take(const MadeSection& made) {
   if (!commit_skin(editor_, object.id, made.edit, translatable("Add section"))) return;
   if (editor_.selection.active == object.id) select_new_points(editor_, *made.edit);
   log_("section_added", {});
-}
-
-void SkinJobs::export_control(const std::filesystem::path& path) {
-  const Document& document = editor_.history.current();
-  files_.run(
-      fill(translatable("Exporting {0}"), {path.filename().string()}),
-      [path, document](const CancelToken&) { return export_control_meshes(document, path); },
-      [this, path, left_out = left_out_of_control_meshes(document)](const Result<Done>& exported) {
-        if (!exported.ok()) {
-          log_("export_failed", path);
-          return editor_.notify(exported.error());
-        }
-        for (const Message& warning : left_out) editor_.notify(warning);
-        editor_.notify(Notice::Kind::info,
-                       fill(editor_.language("Exported {0}."), {path.filename().string()}));
-        ++editor_.exports;
-        log_("control_exported", path);
-      });
 }
 
 void SkinJobs::follow(RebuildEngine& engine) {

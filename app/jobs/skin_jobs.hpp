@@ -18,17 +18,14 @@ namespace hariko {
 class SkinJobs {
  public:
   using Log = std::function<void(const char* what, const std::filesystem::path&)>;
-  /// `files`: queue of exports; `edits`: queue of work that an edit waits for. `log`: receives
-  /// "control_exported", "section_added" or "export_failed".
-  SkinJobs(Editor& editor, BackgroundWork& files, BackgroundWork& edits, Log log)
-      : editor_(editor), files_(files), edits_(edits), log_(std::move(log)) {}
+  /// `edits`: queue of work that an edit waits for. `log`: receives "section_added".
+  SkinJobs(Editor& editor, BackgroundWork& edits, Log log)
+      : editor_(editor), edits_(edits), log_(std::move(log)) {}
 
   /// Requests a section taken from the surface of a skin at a place of its path. Requests are carried out in
   /// order, one undoable step each, by `settle`, which then selects the new points. A skin that changed
   /// meanwhile stays as it is, and a notice says so; cancelling one section cancels those that wait.
   void add_section(ObjectId object, double place);
-  /// Writes the control meshes of the visible skins.
-  void export_control(const std::filesystem::path& path);
   /// Shows a job while a surface waits for the places of its columns; cancelling it stops the rebuild.
   void follow(RebuildEngine& engine);
   /// Applies a finished section, unless a gesture is in progress. To be called each frame, except while a
@@ -50,7 +47,7 @@ class SkinJobs {
   void take(const MadeSection& made);
 
   Editor& editor_;
-  BackgroundWork &files_, &edits_;
+  BackgroundWork& edits_;
   Log log_;
   std::shared_ptr<const Job> adding_;   ///< the section being made
   std::deque<WantedSection> wanted_;    ///< requests; the first one is being made

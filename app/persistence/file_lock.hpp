@@ -66,7 +66,7 @@ struct FileLock::Attempt {
   Outcome outcome = Outcome::unavailable;
   FileLock lock;                   ///< held where acquired
   bool certain = true;             ///< false on file systems without locks
-  std::optional<LockOwner> owner;  ///< where taken, as far as the file tells
+  std::optional<LockOwner> owner;  ///< owner where it is taken, as far as the file tells
   std::string reason;
 };
 

@@ -1,6 +1,5 @@
 #include "app/persistence/recent_files.hpp"
 
-#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <system_error>
 

@@ -3,8 +3,6 @@
 // RecoveryStore: recovery copies of all running and ended sessions, each in its own locked folder.
 
 #include <filesystem>
-#include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 

@@ -1,6 +1,5 @@
 #include "app/persistence/settings_file.hpp"
 
-#include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <numbers>

@@ -5,8 +5,8 @@
 #include "app/engines/surface_builder.hpp"
 #include "app/files/open_file.hpp"
 #include "core/document/object_shape.hpp"
+#include "ui/editor/object_kind.hpp"
 #include "ui/editor/object_lines.hpp"
-#include "ui/editor/skin_view.hpp"
 #include "ui/view/view_pictures.hpp"
 
 namespace hariko {
@@ -15,34 +15,19 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Adds sections and path of a skin at all its places, in the colours of the window.
-void add_sections(const Object& object, Scene& scene) {
-  const SkinView view = view_of(*object.skin()->skin, nullptr);
-  const std::vector<Similarity> places = places_of(object);
-  const auto add = [&](const std::vector<Vector3>& curve, const char* colour, float width) {
-    for (const Similarity& place : places)
-      for (std::size_t i = 0; i + 1 < curve.size(); ++i)
-        scene.lines.push_back(
-            {place.apply(curve[i]), place.apply(curve[i + 1]), color_from_hex(colour), width, false});
-  };
-  for (const auto& path : view.paths) add(path, "#4aa3df", 2);
-  for (const SkinView::Section& section : view.sections) add(section.curve, "#3dbb6c", 3);
-}
-
+/// An object as a part of the scene, to which it may add lines of its own.
 SceneObject part_of(const Document& document, const std::shared_ptr<const Object>& object,
-                    const CancelToken& cancel) {
+                    const CancelToken& cancel, std::vector<OverlayLine>& lines) {
   SceneObject out;
   SurfaceBuilder builder;
   out.mesh = builder.build(object, neighbours_of(document, object->id), {}, Quality::final, cancel).mesh;
   out.polyhedron = lines_of(document, *object);
   out.transform = matrix_of(object->transform);
-  // The network of anything but a polyhedron is dense and would hide the source.
-  out.show_network = !object->skin() && !object->solids() && !object->outline();
-  out.show_polyhedron = object->polyhedron() || object->solids() || object->outline();
+  out.show_network = true;
   // Points of a dense cage would hide it.
   constexpr std::size_t most_points = 80;
-  out.show_points = !object->solids() && out.polyhedron && out.polyhedron->positions.size() <= most_points;
-  out.show_bodies = out.x_ray = object->solids() != nullptr;
+  out.show_points = out.polyhedron && out.polyhedron->positions.size() <= most_points;
+  object_kind(*object).adjust_in_file(*object, out, lines);
   return out;
 }
 
@@ -55,12 +40,11 @@ Scene file_scene(const fs::path& path, const CancelToken& cancel) {
   if (!opened.document) return scene;
   for (const auto& object : opened.document->objects) {
     if (!has_shape(*object) || !object->visible) continue;
-    const SceneObject part = part_of(*opened.document, object, cancel);
+    const SceneObject part = part_of(*opened.document, object, cancel, scene.lines);
     for (const Similarity& place : places_of(*object)) {
       scene.objects.push_back(part);
       scene.objects.back().transform = matrix_of(place);
     }
-    if (object->skin()) add_sections(*object, scene);
   }
   return scene;
 }

@@ -1,7 +1,6 @@
 #include "app/pictures/pictures.hpp"
 
 #include <algorithm>
-#include <memory>
 #include <optional>
 #include <system_error>
 #include <vector>

@@ -3,7 +3,6 @@
 // Pictures of the samples, made when the program is built and loaded from its data.
 
 #include <filesystem>
-#include <map>
 #include <vector>
 
 #include "app/pictures/pictures.hpp"

@@ -1,20 +1,14 @@
 #include "app/scripts/edit_guesses.hpp"
 
 #include <algorithm>
-#include <map>
-#include <optional>
-#include <set>
 #include <string>
 #include <utility>
 
-#include "app/scripts/circumstances.hpp"
+#include "app/scripts/polyhedron_guesses.hpp"
 
 namespace hariko {
 
 namespace {
-
-/// An object before and after the edit.
-using ObjectPair = std::pair<const Object*, const Object*>;
 
 std::vector<ObjectPair> changed_objects(const Document& before, const Document& after) {
   std::vector<ObjectPair> out;
@@ -39,8 +33,7 @@ std::vector<WrittenCommand> property_steps(const std::vector<ObjectPair>& object
     for (const auto& [old, now] : objects) {
       const auto value = command.script.read(*now);
       if (value.empty() || value == command.script.read(*old)) continue;
-      const auto same =
-          std::find_if(groups.begin(), groups.end(), [&](const auto& group) { return group.first == value; });
+      const auto same = std::ranges::find_if(groups, [&](const auto& group) { return group.first == value; });
       if (same != groups.end())
         same->second.push_back(old->name);
       else
@@ -65,58 +58,6 @@ std::vector<WrittenCommand> visibility_steps(const std::vector<ObjectPair>& obje
   out.push_back(choosing(hidden));
   out.push_back({"object.hide"});
   return out;
-}
-
-/// Sets tensions that differ, all elements with the same one at once.
-template <class Id, class Values>
-void add_tension_steps(const Object& object, const Values& old, const Values& now, double neutral,
-                       const char* select, const char* argument, std::vector<WrittenCommand>& out) {
-  std::set<Id> ids;
-  for (const auto& [id, value] : old) ids.insert(id);
-  for (const auto& [id, value] : now) ids.insert(id);
-  std::map<double, std::vector<std::string>> by_value;
-  for (const Id id : ids)
-    if (const double value = now.get_or(id, neutral); value != old.get_or(id, neutral))
-      by_value[value].push_back(script_name(id));
-  for (const auto& [value, names] : by_value) {
-    out.push_back({select, {written("object", object.name), written("ids", names)}});
-    out.push_back({"shape.tension", {written(argument, value)}});
-  }
-}
-
-std::vector<WrittenCommand> tension_steps(const std::vector<ObjectPair>& objects) {
-  std::vector<WrittenCommand> out;
-  for (const auto& [old, now] : objects) {
-    if (!old->polyhedron() || !now->polyhedron()) continue;
-    const Shaping &before = *old->polyhedron()->shaping, &after = *now->polyhedron()->shaping;
-    add_tension_steps<VertexId>(*now, before.alpha, after.alpha, 0, "select.vertices", "alpha", out);
-    add_tension_steps<EdgeId>(*now, before.beta, after.beta, 1, "select.edges", "beta", out);
-  }
-  return out;
-}
-
-/// Moves the vertices that lie elsewhere; nothing where they do not all go the same way, of one object.
-std::vector<WrittenCommand> move_steps(const std::vector<ObjectPair>& objects) {
-  if (objects.size() != 1) return {};
-  const auto& [old, now] = objects.front();
-  const PolyhedronSource *before = old->polyhedron(), *after = now->polyhedron();
-  if (!before || !after || before->polyhedron.vertex_count() != after->polyhedron.vertex_count()) return {};
-  std::vector<std::string> ids;
-  std::optional<Vector3> by;
-  for (Index v = 0; v < before->polyhedron.vertex_count(); ++v) {
-    const Vector3 from = before->origin + before->polyhedron.position(v),
-                  to = after->origin + after->polyhedron.position(v);
-    if (before->polyhedron.vertex_id(v) != after->polyhedron.vertex_id(v)) return {};
-    if (from == to) continue;
-    constexpr double same = 1e-9;
-    const Vector3 way = now->transform.apply_to_vector(to - from);
-    if (by && (way - *by).norm() > same * by->norm()) return {};
-    if (!by) by = way;
-    ids.push_back(script_name(before->polyhedron.vertex_id(v)));
-  }
-  if (!by) return {};
-  return {{"select.vertices", {written("object", now->name), written("ids", ids)}},
-          {"transform.move", {written("by", *by)}}};
 }
 
 }  // namespace

@@ -32,8 +32,8 @@ Message bad_script(const std::string& text) {
 }
 
 const JsonValue* member_of(const JsonObject& object, std::string_view name) {
-  const auto found = std::find_if(object.begin(), object.end(),
-                                  [&](const JsonMember& member) { return member.name == name; });
+  const auto found =
+      std::ranges::find_if(object, [&](const JsonMember& member) { return member.name == name; });
   return found == object.end() ? nullptr : &found->value;
 }
 

@@ -79,15 +79,10 @@ void ScriptRecorder::finish() {
   if (const auto done = write_file_atomic(path, write_script(made)); !done)
     return editor_.notify(done.error());
   const std::string count = std::to_string(made.steps.size()), missing = std::to_string(made.left_out);
-  if (made.left_out == 0)
-    return editor_.notify(Notice::Kind::info,
-                          fill(editor_.language("The script is written. Its steps: {0}."), {count}));
-  editor_.notify(
-      Notice::Kind::warning,
-      fill(editor_.language("The script is written. Its steps: {0}; edits without a command, which "
-                            "it leaves out: {1}."),
-           {count, missing}),
-      std::string(editor_.language("Its member \u201cnotes\u201d names them.")));
+  if (made.left_out == 0) return editor_.inform({"The script is written. Its steps: {0}.", {count}});
+  editor_.warn({"The script is written. Its steps: {0}; edits without a command, which it leaves out: {1}.",
+                {count, missing}},
+               "Its member \u201cnotes\u201d names them.");
 }
 
 Script ScriptRecorder::script() const {
@@ -120,8 +115,8 @@ void ScriptRecorder::after_command(const Command& command, bool ran) {
 void ScriptRecorder::look(const Command* command) {
   if (!path_) return;
   if (editor_.has_document && !(entries_[position_].place == here())) {
-    const auto known = std::find_if(entries_.begin(), entries_.end(),
-                                    [&](const Entry& entry) { return entry.place == here(); });
+    const auto known =
+        std::ranges::find_if(entries_, [&](const Entry& entry) { return entry.place == here(); });
     if (known != entries_.end())
       position_ = static_cast<std::size_t>(known - entries_.begin());  // undone or redone
     else
@@ -162,9 +157,8 @@ void ScriptRecorder::leave_out(Entry& entry, const Command* command) {
                    : label.empty() ? fill(translatable("Open {0}"), {editor_.title()})
                                    : label;
   entry.script.selection.prune(entry.document);
-  editor_.notify(Notice::Kind::warning,
-                 fill(editor_.language("\u201c{0}\u201d has no command: the script leaves it out."),
-                      {editor_.language.phrase(entry.left_out)}));
+  editor_.warn({"\u201c{0}\u201d has no command: the script leaves it out.",
+                {editor_.language.phrase(entry.left_out)}});
 }
 
 /// Steps that may be the last edit, the likeliest first.
@@ -175,9 +169,8 @@ std::vector<ScriptRecorder::Steps> ScriptRecorder::candidates(const Command* com
   if (used && used->scriptable() && used->id != "edit.undo" && used->id != "edit.redo") {
     out.push_back({WrittenCommand{used->id}});
     // In the window a switch turns round what is.
-    const auto& arguments = used->script.arguments;
-    if (std::any_of(arguments.begin(), arguments.end(),
-                    [](const ArgumentSpec& spec) { return spec.name == "on"; }))
+    if (std::ranges::any_of(used->script.arguments,
+                            [](const ArgumentSpec& spec) { return spec.name == "on"; }))
       for (const bool on : {true, false})
         out.push_back({WrittenCommand{used->id, {written_switch("on", on)}}});
   }
@@ -202,8 +195,7 @@ std::vector<ScriptRecorder::Steps> ScriptRecorder::opening_candidates() const {
 
 /// Takes the first of the candidates that does the edit; false where none does.
 bool ScriptRecorder::first_that_does(const std::vector<Steps>& candidates, Entry& entry) {
-  return std::any_of(candidates.begin(), candidates.end(),
-                     [&](const Steps& steps) { return tried(steps, entry); });
+  return std::ranges::any_of(candidates, [&](const Steps& steps) { return tried(steps, entry); });
 }
 
 /// Takes the steps for the entry where they make its document of the one before.

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "app/scripts/script_file.hpp"
-#include "app/scripts/script_trial.hpp"
+#include "app/scripts/script_session.hpp"
 #include "ui/shell/workbench.hpp"
 
 namespace hariko {
@@ -45,9 +45,9 @@ class ScriptRecorder {
   };
   /// An edit.
   struct Entry {
-    Place place;                        ///< where it led to
+    Place place;                        ///< the place it led to
     Document document;                  ///< at that place
-    Circumstances before;               ///< of the window, when it was made
+    Circumstances before;               ///< state of the window when it was made
     std::vector<WrittenCommand> steps;  ///< empty: it was left out
     std::string left_out;               ///< label of the step that was
     Circumstances script;               ///< in which the script is afterwards
@@ -74,7 +74,7 @@ class ScriptRecorder {
   std::string beginning_;           ///< name of the document that it began with; empty: it makes it
   std::vector<Entry> entries_;      ///< the first is the beginning
   std::size_t position_ = 0;        ///< entry at which the window is; later ones were undone
-  Circumstances window_;            ///< of the window, before what is done next
+  Circumstances window_;            ///< state of the window before what is done next
   std::string begun_;               ///< command that was run last, whose work may end later
   std::vector<std::string> files_;  ///< labels of commands that wrote files, with their places
 };

@@ -10,7 +10,6 @@
 #include "core/document/edits/edit_objects.hpp"
 #include "core/document/file.hpp"
 #include "core/polyhedron/message_summary.hpp"
-#include "ui/files/drawing_order.hpp"
 #include "ui/files/picture_order.hpp"
 
 namespace hariko {
@@ -43,7 +42,7 @@ ScriptSession::ScriptSession(OpenFile open_file)
       files_(editor_, {}),
       edits_(editor_, {}),
       paper_(editor_, files_, {}),
-      skins_(editor_, files_, edits_, [this](const char* what, const fs::path& path) { note(what, path); }),
+      skins_(editor_, edits_, [this](const char* what, const fs::path& path) { note(what, path); }),
       conversions_(editor_, files_, [](const char*, const fs::path&) {}),
       pictures_(editor_, files_, [this](const char* what, const fs::path& path) { note(what, path); }),
       workbench_(editor_, renderer_, 1, metrics_, *this),
@@ -196,7 +195,7 @@ void ScriptSession::export_cad(const fs::path& path, const CadSettings& settings
   exchange_.export_cad(path, settings);
 }
 void ScriptSession::export_control(const fs::path& path) {
-  skins_.export_control(path);
+  exchange_.export_control(path);
 }
 void ScriptSession::export_pages(const fs::path& path) {
   if (!sheet_format_of(path))
@@ -282,6 +281,41 @@ void ScriptSession::give_picture(Sample&) {
 }
 void ScriptSession::quit() {
   asked_without_window();
+}
+
+ScriptSession& ScriptTrial::session() {
+  if (!session_) session_ = std::make_unique<ScriptSession>(open_file_);
+  return *session_;
+}
+
+ScriptState ScriptTrial::start() {
+  session_.reset();
+  return {std::nullopt, circumstances_of(session().editor())};
+}
+
+std::optional<ScriptState> ScriptTrial::run(const ScriptState& from, std::span<const WrittenCommand> steps) {
+  if (!from.document) session_.reset();  // a session cannot go back to before its first document
+  Editor& editor = session().editor();
+  if (from.document) editor.open(*from.document, std::nullopt);
+  set_circumstances(editor, from.circumstances);
+  for (const WrittenCommand& step : steps)
+    if (!run_step(step)) {
+      session_.reset();  // a tool or a question may be left of what failed
+      return {};
+    }
+  session().take_notes();
+  ScriptState out{std::nullopt, circumstances_of(editor)};
+  if (editor.has_document) out.document = editor.history.current();
+  return out;
+}
+
+bool ScriptTrial::run_step(const WrittenCommand& step) {
+  const Command* command = session().commands().find(step.command);
+  if (!command || !command->scriptable()) return false;
+  const Editor& editor = session().editor();
+  const Unit unit = editor.has_document ? editor.document().unit : editor.settings.unit;
+  const auto arguments = read_arguments(command->script.arguments, step.arguments, unit);
+  return arguments.ok() && session().run(*command, *arguments).ok();
 }
 
 }  // namespace hariko

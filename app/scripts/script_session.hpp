@@ -7,6 +7,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,7 @@
 #include "app/jobs/exchange_jobs.hpp"
 #include "app/jobs/reference_jobs.hpp"
 #include "app/jobs/skin_jobs.hpp"
+#include "app/scripts/circumstances.hpp"
 #include "render/renderer.hpp"
 #include "ui/shell/workbench.hpp"
 
@@ -112,7 +114,7 @@ class ScriptSession final : private ApplicationServices {
   Renderer renderer_ = Renderer::undrawn();
   Metrics metrics_;
   std::unique_ptr<RebuildEngine> engine_;  ///< null before a command looks at surfaces
-  std::uint64_t surfaced_ = 0;             ///< which document the engine knows
+  std::uint64_t surfaced_ = 0;             ///< number of the document that the engine knows
   BackgroundWork files_, edits_;
   PaperEngine paper_;
   SkinJobs skins_;
@@ -120,6 +122,31 @@ class ScriptSession final : private ApplicationServices {
   ReferenceJobs pictures_;
   Workbench workbench_;
   ExchangeJobs exchange_;
+};
+
+/// Document in which a script stands, with its circumstances.
+struct ScriptState {
+  std::optional<Document> document;  ///< nothing before the first one was opened
+  Circumstances circumstances;
+};
+
+/// Runs steps as `hariko run` does, in a session of its own. For the main thread.
+class ScriptTrial {
+ public:
+  explicit ScriptTrial(ScriptSession::OpenFile open_file) : open_file_(std::move(open_file)) {}
+
+  /// State in which a script begins.
+  ScriptState start();
+  /// State after the steps; nothing where one of them is refused. Takes as long as they take.
+  std::optional<ScriptState> run(const ScriptState& from, std::span<const WrittenCommand> steps);
+  const CommandTable& commands() { return session().commands(); }
+
+ private:
+  ScriptSession& session();
+  bool run_step(const WrittenCommand& step);
+
+  ScriptSession::OpenFile open_file_;
+  std::unique_ptr<ScriptSession> session_;
 };
 
 }  // namespace hariko

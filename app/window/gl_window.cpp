@@ -262,8 +262,7 @@ void GlWindow::deliver(const InputEvent& event) {
       break;
     case Kind::leave:
       // A drag continues outside the window.
-      if (std::none_of(s.buttons.begin(), s.buttons.end(), [](bool down) { return down; }))
-        s.pointer = {-FLT_MAX, -FLT_MAX};
+      if (std::ranges::none_of(s.buttons, [](bool down) { return down; })) s.pointer = {-FLT_MAX, -FLT_MAX};
       break;
     case Kind::button:
       if (event.code >= 0 && std::size_t(event.code) < s.buttons.size())
@@ -409,6 +408,16 @@ int GlWindow::height() const {
 }
 double GlWindow::monitor_scale() const {
   return static_cast<double>(state_->monitor_scale);
+}
+
+std::vector<Image> window_icons(const std::filesystem::path& icons) {
+  std::vector<Image> out;
+  for (const int size : {16, 24, 32, 48, 64, 128}) {
+    const std::string side = std::to_string(size);
+    auto icon = read_png(icons / "hicolor" / (side + "x" + side) / "apps" / "hariko.png");
+    if (icon.ok()) out.push_back(std::move(icon).value());
+  }
+  return out;
 }
 
 }  // namespace hariko

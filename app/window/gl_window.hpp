@@ -95,4 +95,8 @@ class GlWindow {
   std::unique_ptr<State> state_;
 };
 
+/// Icons of the theme in `icons`/hicolor, in the sizes of title bars, task bars and switchers; empty where
+/// they do not exist, in which case desktops use the menu entry's icon.
+std::vector<Image> window_icons(const std::filesystem::path& icons);
+
 }  // namespace hariko

@@ -1,20 +1,34 @@
 #include "app/window/interface_text.hpp"
 
+#include <utility>
+
+#include "core/base/text/sanitized_utf8.hpp"
+#include "ui/base/fonts.hpp"
+
 namespace hariko {
 
-std::string catalogue_name(LanguageId language) {
-  return language == LanguageId::japanese ? "ja.json" : std::string();
+InterfaceText::InterfaceText(const std::filesystem::path& catalogues, Editor& editor) {
+  LanguageFiles found = find_languages(catalogues);
+  editor.languages = std::move(found.files);
+  problems_ = std::move(found.problems);
 }
 
 void InterfaceText::choose(Editor& editor) {
-  LanguageId& wanted = editor.settings.language;
+  std::string& wanted = editor.settings.language;
   if (wanted == language_) return;
-  if (const std::string name = catalogue_name(wanted); name.empty()) {
+  const LanguageFile* file = find_language(editor.languages, wanted);
+  if (wanted == english_id) {
     editor.language = {};
-  } else if (!japanese_font_installed()) {
+  } else if (!file) {
+    const std::string text =
+        fill(editor.language(translatable("There is no catalogue of the language \"{0}\" of the settings.")),
+             {shortened(wanted, 40)});
     wanted = language_;
-    return editor.notify(Notice::Kind::warning, editor.language(no_japanese_font));
-  } else if (auto loaded = Language::load(folder_ / name); loaded.ok()) {
+    return editor.notify(Notice::Kind::warning, text);
+  } else if (!fonts_can_write(file->name)) {
+    wanted = language_;
+    return editor.warn(no_japanese_font);
+  } else if (auto loaded = Language::load(file->path); loaded.ok()) {
     editor.language = std::move(loaded).value();
   } else {
     wanted = language_;
@@ -41,6 +55,7 @@ void InterfaceText::collect_names(const Editor& editor, const Offers& offers) {
 }
 
 void InterfaceText::update(Editor& editor, const Offers& offers, GlWindow& window) {
+  for (const Message& problem : std::exchange(problems_, {})) editor.notify(problem);
   choose(editor);
   collect_names(editor, offers);
   of_names_.insert(editor.shown_characters().begin(), editor.shown_characters().end());
@@ -52,8 +67,9 @@ void InterfaceText::update(Editor& editor, const Offers& offers, GlWindow& windo
   request.japanese = !of_names_.empty();
   request.characters = of_catalogue_;
   request.characters.insert(of_names_.begin(), of_names_.end());
-  // The language is offered by its name in its own script.
-  for (const char32_t point : code_points(japanese_in_japanese)) request.characters.insert(point);
+  // Languages are offered by their names in their own scripts.
+  for (const LanguageFile& each : editor.languages)
+    for (const char32_t point : code_points(each.name)) request.characters.insert(point);
   window.set_fonts(std::move(request));
 }
 

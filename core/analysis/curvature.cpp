@@ -72,10 +72,6 @@ std::optional<Curvature> curvature(const PatchPoint& point) {
   out.k1 = out.mean + radius;
   out.k2 = out.mean - radius;
   if (!std::isfinite(out.k1) || !std::isfinite(out.k2)) return std::nullopt;
-
-  const double angle = radius > 0 ? std::atan2(shape->t12, half) / 2 : 0;
-  out.direction1 = std::cos(angle) * shape->e1 + std::sin(angle) * shape->e2;
-  out.direction2 = -std::sin(angle) * shape->e1 + std::cos(angle) * shape->e2;
   out.tensor = shape->tensor();
   return out;
 }

@@ -13,12 +13,10 @@ namespace hariko {
 /// radius r seen from outside has k1 = k2 = 1/r. Units: 1/length, Gaussian curvature 1/length^2.
 struct Curvature {
   double gauss = 0, mean = 0;
-  double k1 = 0, k2 = 0;  ///< principal curvatures, k1 >= k2
-  /// Principal directions: unit, tangential, orthogonal.
-  Vector3 direction1 = Vector3::Zero(), direction2 = Vector3::Zero();
+  double k1 = 0, k2 = 0;             ///< principal curvatures, k1 >= k2
   Vector3 normal = Vector3::Zero();  ///< unit outward normal
-  /// Curvature tensor k1 d1 d1^T + k2 d2 d2^T. It does not depend on the parametrisation, so it compares
-  /// across patches.
+  /// Curvature tensor k1 d1 d1^T + k2 d2 d2^T over the principal directions d1 and d2. It does not depend on
+  /// the parametrisation, so it compares across patches.
   Matrix3 tensor = Matrix3::Zero();
 };
 
@@ -36,12 +34,12 @@ struct ShapeOperator {
   Matrix3 tensor() const;
 };
 
-/// Shape operator from first and second derivatives; a third of the time of `curvature`, which needs the
-/// angle of the principal directions. Nothing where `curvature` gives nothing.
+/// Shape operator from first and second derivatives. Nothing where ds and dt are parallel (as in
+/// `unit_normal`) or a result is not finite.
 std::optional<ShapeOperator> shape_operator(const PatchPoint& point);
 
-/// Curvature from first and second derivatives. Nothing where ds and dt are parallel (as in `unit_normal`) or
-/// a result is not finite. At umbilics the directions are any two orthogonal ones.
+/// Curvature from first and second derivatives. Nothing where `shape_operator` gives nothing or a principal
+/// curvature is not finite.
 std::optional<Curvature> curvature(const PatchPoint& point);
 
 }  // namespace hariko

@@ -4,11 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "core/analysis/curvature.hpp"
 #include "core/base/assert.hpp"
-#include "core/geometry/angles.hpp"
 
 namespace hariko {
 
@@ -54,21 +52,19 @@ float mean_limit(const Surface& surface, MapKind kind, Index patch, int corner) 
   return defined > 0 ? static_cast<float>(sum / defined) : undefined;
 }
 
-/// Calls body(i, point on the first side, point on the second side) at density + 1 places of a seam.
+/// Sets values[i] = body(point on the first side, point on the second side) at density + 1 places of a seam.
 template <class Body>
-void along(const Surface& surface, Index seam_index, int density, std::span<float> values, Order order,
-           const Body& body) {
+void along(const Surface& surface, Index seam_index, int density, std::span<float> values, const Body& body) {
   HARIKO_ASSERT(seam_index < surface.seams().size(), "no such seam");
   HARIKO_ASSERT(density >= 1 && values.size() == std::size_t(density) + 1, "one value a point");
   const Seam& seam = surface.seams()[seam_index];
   const auto at = [&](PatchSide side, double begin, double end, double x) {
     const Vector2 parameter = side_parameter(surface.domain(), side.side, begin + x * (end - begin));
-    return surface.patches().evaluate(side.patch, parameter, order);
+    return surface.patches().evaluate(side.patch, parameter, Order::second);
   };
   for (int i = 0; i <= density; ++i) {
     // Along the seam itself curvature has a limit at both ends, even where it has none in other directions.
-    const double least = order == Order::second ? limit_distance : 0;
-    const double x = std::clamp(grid_fraction(i, density), least, 1 - least);
+    const double x = std::clamp(grid_fraction(i, density), limit_distance, 1 - limit_distance);
     values[static_cast<std::size_t>(i)] = body(at(seam.first, seam.first_begin, seam.first_end, x),
                                                at(seam.second, seam.second_begin, seam.second_end, x));
   }
@@ -104,16 +100,8 @@ std::vector<float> map_values(const Surface& surface, MapKind kind, const GridPa
   return values;
 }
 
-void seam_angles(const Surface& surface, Index seam, int density, std::span<float> values) {
-  along(surface, seam, density, values, Order::first, [](const PatchPoint& p, const PatchPoint& q) {
-    const Vector3 n = unit_normal(p), m = unit_normal(q);
-    if (n.isZero(0) || m.isZero(0)) return undefined;
-    return static_cast<float>(angle_between(n, m) * 180 / std::numbers::pi);
-  });
-}
-
 void seam_curvature_jumps(const Surface& surface, Index seam, int density, std::span<float> values) {
-  along(surface, seam, density, values, Order::second, [](const PatchPoint& p, const PatchPoint& q) {
+  along(surface, seam, density, values, [](const PatchPoint& p, const PatchPoint& q) {
     const auto a = curvature(p), b = curvature(q);
     if (!a || !b) return undefined;
     const double mean = (a->tensor.norm() + b->tensor.norm()) / 2;

@@ -27,13 +27,10 @@ void map_values(const Surface& surface, MapKind kind, std::span<const Index> pat
 std::vector<float> map_values(const Surface& surface, MapKind kind, const GridPattern& pattern,
                               std::span<const Index> patches);
 
-/// Angle between the normals of a seam's two sides, in degrees, at fractions i / density: density + 1 values.
-/// NaN where a side has no normal. For continuity maps along edges. Thread-safe. O(values).
-void seam_angles(const Surface& surface, Index seam, int density, std::span<float> values);
-
-/// Jump of the curvature tensor across a seam, relative to the mean of both sides' norms, at the same points:
-/// 0 is curvature-continuous, 2 is the maximum. At the ends it is the limit along the seam. NaN where a side
-/// has no curvature, where both are flat, and at ends without second derivatives.
+/// Jump of the curvature tensor across a seam, relative to the mean of both sides' norms, at fractions i /
+/// density: density + 1 values. 0 is curvature-continuous, 2 is the maximum. At the ends it is the limit
+/// along the seam. NaN where a side has no curvature, where both are flat, and at ends without second
+/// derivatives. Thread-safe. O(values).
 void seam_curvature_jumps(const Surface& surface, Index seam, int density, std::span<float> values);
 
 }  // namespace hariko

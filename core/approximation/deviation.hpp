@@ -34,7 +34,7 @@ class DeviationReference {
 
   Surface surface_;
   Kind kind_;
-  SurfaceSampler sampler_;                           ///< of `surface_`
+  SurfaceSampler sampler_;                           ///< samples `surface_`
   std::unique_ptr<const SurfaceProjector> feet_;     ///< for smooth surfaces
   std::unique_ptr<const TriangleTree> facets_tree_;  ///< for facets
 };

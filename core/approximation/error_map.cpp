@@ -76,29 +76,20 @@ class ErrorMapper {
     });
   }
 
-  void add_grid(const std::vector<std::array<int, 3>>& triangles) {
-    const auto base = static_cast<Index>(map_.samples.size());
-    for (const auto& t : triangles)
-      map_.sample_triangles.push_back({base + Index(t[0]), base + Index(t[1]), base + Index(t[2])});
-  }
   void sample_parts() {
-    const GridPattern pattern{Domain::triangle, options_.density};
     const BarycentricGrid grid(options_.density);
-    const auto triangles = pattern.triangles();
     for (std::size_t f = 0; f < parts_.size(); ++f) {
       const ParameterPieces pieces = pieces_of(parts_[f]);
       map_.facet_samples.push_back(Index(map_.samples.size()));
       const auto p = corners(f);
       const double area = 0.5 * area_vector(p[0], p[1], p[2]).norm();
-      for (int piece = 0; piece < pieces.count; ++piece) {
-        add_grid(triangles);
+      for (int piece = 0; piece < pieces.count; ++piece)
         for (const Vector2& at : grid.points) {
           map_.samples.push_back({Vector3::Zero(), parts_[f].patch,
                                   at_barycentric(pieces.triangle[std::size_t(piece)], at.x(), at.y()),
                                   Index(f)});
           weight_.push_back(area / double(pieces.count * int(grid.points.size())));
         }
-      }
     }
   }
   void sample_patches() {
@@ -109,11 +100,8 @@ class ErrorMapper {
     const GridPattern pattern{surface.domain(),
                               std::clamp(int(std::sqrt(square ? wanted : 2 * wanted)), 2, 512)};
     const auto parameters = pattern.parameters();
-    const auto triangles = pattern.triangles();
-    for (Index p = 0; p < surface.patch_count(); ++p) {
-      add_grid(triangles);
+    for (Index p = 0; p < surface.patch_count(); ++p)
       for (const Vector2& at : parameters) map_.samples.push_back({Vector3::Zero(), p, at, no_index});
-    }
     weight_.resize(map_.samples.size());
     each(map_.samples.size(), [&](std::size_t i) {
       const SurfaceSample& sample = map_.samples[i];
@@ -339,16 +327,6 @@ Result<MeshErrorMap> mesh_error_map(const Surface& surface, const TriangleMesh& 
   ErrorMapper mapper(surface, mesh, parts, options, cancel);
   if (!mapper.run(progress)) return make_error(e_cancelled, "Measuring the mesh was cancelled.");
   return mapper.take();
-}
-
-std::vector<std::size_t> error_histogram(std::span<const float> values, double high, int bins) {
-  HARIKO_ASSERT(bins > 0, "a histogram has parts");
-  std::vector<std::size_t> out(std::size_t(bins), 0);
-  for (const float value : values) {
-    const double x = high > 0 ? double(value) / high * bins : 0;
-    ++out[std::size_t(std::clamp(int(std::min(x, double(bins))), 0, bins - 1))];
-  }
-  return out;
 }
 
 }  // namespace hariko

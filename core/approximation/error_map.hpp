@@ -39,7 +39,6 @@ struct SurfaceSample {
 /// Errors of a mesh against a surface, by points and by facets.
 struct MeshErrorMap {
   std::vector<SurfaceSample> samples;
-  std::vector<std::array<Index, 3>> sample_triangles;  ///< the surface through its samples, for display
   /// First sample of each facet, for meshes with parts; the samples of a facet are in the order of
   /// GridPattern. (A facet at a pole covers two triangles, whose samples follow one another.)
   std::vector<Index> facet_samples;
@@ -69,10 +68,6 @@ Result<MeshErrorMap> mesh_error_map(const Surface& surface, const TriangleMesh& 
                                     std::span<const ParameterFacet> parts = {},
                                     const ErrorMapOptions& options = {}, const CancelToken& cancel = {},
                                     const Progress& progress = {});
-
-/// Histogram of error values: their number in each of `bins` equal parts of 0 .. high; the last part also
-/// counts larger values.
-std::vector<std::size_t> error_histogram(std::span<const float> values, double high, int bins);
 
 /// Comma-separated values with a header line: object, kind (facet, vertex or sample), number, facet, position
 /// (absolute: the origins of mesh and surface are added), then the four errors, angles in degrees; empty

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <limits>
-#include <numeric>
 
 #include "core/approximation/refinement/fold_error.hpp"
+#include "core/base/index_list.hpp"
 #include "core/base/parallel.hpp"
 #include "core/geometry/angles.hpp"
 #include "core/geometry/triangle.hpp"
@@ -177,8 +177,7 @@ CriterionErrors measure_distance(const FacetErrors& errors, const ParameterMesh&
   if (mesh.facets.empty()) return out;
   out.certified = std::all_of(certified.begin(), certified.end(), [](char c) { return c != 0; });
   // The largest distance is among the facets with the largest bounds.
-  std::vector<Index> order(mesh.facets.size());
-  std::iota(order.begin(), order.end(), Index{0});
+  std::vector<Index> order = ascending_indices(mesh.facets.size());
   const auto later = [&](Index a, Index b) { return bound[a] < bound[b] || (bound[a] == bound[b] && a > b); };
   std::make_heap(order.begin(), order.end(), later);
   double largest_bound = 0;

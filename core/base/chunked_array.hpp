@@ -51,7 +51,6 @@ class ChunkedArray {
     return i < size_ && i < other.size_ && chunks_[i / ChunkSize] == other.chunks_[i / ChunkSize];
   }
 
-  static constexpr std::size_t chunk_size() { return ChunkSize; }
   std::size_t chunk_count() const { return chunks_.size(); }
   /// Address of the memory of chunk c, for counting shared bytes.
   const void* chunk_address(std::size_t c) const { return chunks_[c].get(); }

@@ -4,10 +4,9 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <numeric>
 #include <vector>
 
-#include "core/base/vector.hpp"
+#include "core/base/index_list.hpp"
 
 namespace hariko {
 
@@ -15,9 +14,7 @@ namespace hariko {
 /// joins. `find` and `join` take O(log n) a call on average.
 class DisjointSets {
  public:
-  explicit DisjointSets(std::size_t count = 0) : parent_(count) {
-    std::iota(parent_.begin(), parent_.end(), Index{0});
-  }
+  explicit DisjointSets(std::size_t count = 0) : parent_(ascending_indices(count)) {}
 
   std::size_t size() const { return parent_.size(); }
   /// Adds an item, alone in its set.

@@ -1,5 +1,8 @@
 #include "core/base/message.hpp"
 
+#include <array>
+#include <charconv>
+
 #include "core/base/ids.hpp"
 
 namespace hariko {
@@ -36,6 +39,19 @@ Message make_error(Code code, std::string text, std::string remedy, Element elem
 
 Message make_warning(Code code, std::string text, std::string remedy, Element element) {
   return {Severity::warning, code, element, std::move(text), std::move(remedy)};
+}
+
+std::string counted(std::size_t count, std::string_view one, std::string_view several) {
+  std::string out = std::to_string(count);
+  out += count == 1 ? one : several;
+  return out;
+}
+
+std::string rounded_text(double value, int digits) {
+  std::array<char, 32> text;
+  const auto end =
+      std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, digits);
+  return {text.data(), end.ptr};
 }
 
 }  // namespace hariko

@@ -2,6 +2,7 @@
 
 // Messages to the designer about an input: a code, the element concerned, a sentence, and a remedy.
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -45,5 +46,10 @@ std::string to_string(const Message& message);
 /// Message of severity error, or of severity warning.
 Message make_error(Code code, std::string text, std::string remedy = {}, Element element = {});
 Message make_warning(Code code, std::string text, std::string remedy = {}, Element element = {});
+
+/// Count for a sentence: the number, with `one` or `several` behind it, such as " face" and " faces".
+std::string counted(std::size_t count, std::string_view one, std::string_view several);
+/// Number for a sentence, rounded to significant digits (at most 17), in any locale with a decimal point.
+std::string rounded_text(double value, int digits);
 
 }  // namespace hariko

@@ -43,7 +43,7 @@ struct CadModel {
   std::vector<Vector3> vertices;
   std::vector<CadEdge> edges;
   std::vector<CadFace> faces;
-  std::vector<CadPiece> pieces;  ///< source piece of each face
+  std::vector<CadPiece> pieces;  ///< source piece of each face; without cells in a reversed model
 
   /// Whether the surface is meant to have continuous curvature across smooth edges.
   bool curvature = false;

@@ -1,9 +1,9 @@
 #include "core/document/convert_unit.hpp"
 
 #include <algorithm>
-#include <numeric>
 #include <variant>
 
+#include "core/base/index_list.hpp"
 #include "core/polyhedron/validation.hpp"
 
 namespace hariko {
@@ -97,10 +97,8 @@ struct Scale {
   }
   Result<Done> positions(Polyhedron& polyhedron) const {
     std::vector<Vector3> all = polyhedron.positions();
-    std::vector<Index> indices(all.size());
-    std::iota(indices.begin(), indices.end(), Index{0});
     points(all);
-    auto scaled = polyhedron.with_positions(indices, all);
+    auto scaled = polyhedron.with_positions(ascending_indices(all.size()), all);
     if (!scaled.ok()) return scaled.error();
     polyhedron = std::move(scaled).value();
     return Done{};

@@ -38,7 +38,7 @@ struct ObjectAnchor {
 struct VertexAnchor {
   ObjectId object;
   VertexId vertex;
-  bool image = false;  ///< of a polyhedron with a live mirror: the image of the vertex
+  bool image = false;  ///< with a live mirror of the polyhedron: the image of the vertex
   friend bool operator==(const VertexAnchor&, const VertexAnchor&) = default;
 };
 
@@ -56,7 +56,7 @@ struct EdgeAnchor {
 /// mesh.
 struct PatchAnchor {
   ObjectId object;
-  Element element;  ///< that the patch comes from (`Provenance`)
+  Element element;  ///< element that the patch comes from (`Provenance`)
   std::uint32_t side =
       0;  ///< as in `PaperVertex`: of the element, plus 65536 for each earlier patch with its names
   Vector2 parameter = Vector2::Zero();  ///< in the patch's domain
@@ -79,7 +79,7 @@ const ObjectId* object_of(const Anchor& anchor);
 
 enum class DimensionKind : std::uint8_t {
   distance,  ///< between two anchors
-  angle,     ///< of three anchors, at the second one
+  angle,     ///< between three anchors, at the second one
   radius     ///< both principal radii of curvature of the surface at one anchor
 };
 /// Number of anchors of a kind: 2, 3, 1.

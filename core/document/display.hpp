@@ -28,7 +28,7 @@ enum class SurfaceMap : std::uint8_t {
   isophotes,      ///< lines of equal angle to a direction
   draft,          ///< angle to the direction in which a mould opens
   radius,         ///< smallest radius of curvature
-  thickness,      ///< of the walls of closed surfaces
+  thickness,      ///< thickness of the walls of closed surfaces
   deviation,      ///< signed distance from a reference
 };
 inline constexpr int surface_map_count = 13;

@@ -74,6 +74,11 @@ struct Object {
   }
   /// Whether a smooth surface is made from the object.
   bool has_surface() const { return cage() || bezier() || solids() || skin() || outline(); }
+  /// Live mirror that completes the object; null where it has none.
+  const Mirror* live_mirror() const {
+    const PolyhedronSource* own = polyhedron();
+    return own && own->mirror ? &*own->mirror : nullptr;
+  }
   /// Origin of the cage's positions.
   Vector3 cage_origin() const {
     if (const PolyhedronSource* own = polyhedron()) return own->origin;
@@ -95,7 +100,7 @@ struct Document {
   Shared<Dimensions> dimensions;            ///< in the order in which they were made; ids are unique
   Shared<Groups> groups;                    ///< ascending ids
   Shared<SavedViews> saved_views;           ///< in the order in which they were saved; names are unique
-  MakingSettings making;                    ///< how the parts are going to be made
+  MakingSettings making;                    ///< limits of making, and what is compared
   Shared<KeptMembers> kept;
 
   static constexpr std::size_t max_objects = 100000;

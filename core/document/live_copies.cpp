@@ -40,12 +40,16 @@ struct MotionsOfArray {
     out.insert(out.end(), list.places.begin(), list.places.end());
     return out;
   }
+  std::vector<Similarity> operator()(const MirrorOfCopies& mirror) const {
+    return {Similarity{}, reflection_in(mirror.point, mirror.normal.stableNormalized())};
+  }
 };
 
 struct CountOfArray {
   std::size_t operator()(const RowOfCopies& row) const { return static_cast<std::size_t>(row.count); }
   std::size_t operator()(const RingOfCopies& ring) const { return static_cast<std::size_t>(ring.count); }
   std::size_t operator()(const ListOfCopies& list) const { return list.places.size() + 1; }
+  std::size_t operator()(const MirrorOfCopies&) const { return 2; }
 };
 
 bool is_direction(const Vector3& vector) {
@@ -72,6 +76,11 @@ struct FaultOfArray {
     for (const Similarity& place : list.places)
       if (!is_motion(place)) return "A place of live copies is not finite, or is scaled.";
     return nullptr;
+  }
+  const char* operator()(const MirrorOfCopies& mirror) const {
+    return is_direction(mirror.normal) && mirror.point.allFinite()
+               ? nullptr
+               : "The plane of mirrored live copies has no direction.";
   }
 };
 
@@ -100,6 +109,11 @@ struct MappedArray {
     if (linear.determinant() < 0) ring.degrees = -ring.degrees;
     return ring;
   }
+  CopyArray operator()(MirrorOfCopies mirror) const {
+    mirror.point = linear * mirror.point;
+    if (!enlarges) mirror.normal = (linear.inverse().transpose() * mirror.normal).stableNormalized();
+    return mirror;
+  }
   CopyArray operator()(ListOfCopies list) const {
     for (Similarity& place : list.places) {
       if (!enlarges) place.rotation = rotation_under(place.rotation, linear);
@@ -122,6 +136,11 @@ struct ArrayInSpace {
     ring.direction = back.rotation * ring.direction;
     return ring;
   }
+  CopyArray operator()(MirrorOfCopies mirror) const {
+    mirror.point = back.apply(mirror.point);
+    mirror.normal = back.rotation * mirror.normal;
+    return mirror;
+  }
   CopyArray operator()(ListOfCopies list) const {
     for (Similarity& motion : list.places) {
       motion = composed(back, composed(motion, place));
@@ -134,8 +153,8 @@ struct ArrayInSpace {
 Message invalid_copies(const char* text) {
   return make_error(
       e_copies_invalid, text,
-      "Use from 2 to 10,000 places, a step or an axis that is not zero, and an angle from -360 to "
-      "360 degrees.");
+      "Use from 2 to 10,000 places, a step that is not zero, an axis or a plane with a direction, and an "
+      "angle from -360 to 360 degrees.");
 }
 
 }  // namespace

@@ -19,7 +19,7 @@ struct MakingSettings {
   /// Direction in which the part leaves its mould, in the document's space; of any length.
   Vector3 pull = Vector3::UnitZ();
   double draft = 3;      ///< least angle between walls and pull, degrees
-  double radius = 3;     ///< of the tool, millimetres: less than that it cannot follow
+  double radius = 3;     ///< the tool's, millimetres: less than that it cannot follow
   double thickness = 2;  ///< least thickness of walls, millimetres
   /// Object that the others deviate from; it need not exist. The default is none.
   ObjectId reference;

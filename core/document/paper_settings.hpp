@@ -34,10 +34,10 @@ struct PaperSettings {
   bool fold_angles = false;                ///< fold angles are printed beside the folds, in degrees
 
   /// Area of the page between the margins.
-  PaperSize sanitized_utf8() const { return {page.width - 2 * margin, page.height - 2 * margin}; }
+  PaperSize printable_area() const { return {page.width - 2 * margin, page.height - 2 * margin}; }
   /// Largest extent of a piece's facets, so that tabs have room all round.
   PaperSize piece_room() const {
-    return {sanitized_utf8().width - 2 * tab_height, sanitized_utf8().height - 2 * tab_height};
+    return {printable_area().width - 2 * tab_height, printable_area().height - 2 * tab_height};
   }
   friend bool operator==(const PaperSettings&, const PaperSettings&) = default;
 };

@@ -28,6 +28,13 @@ bool equal_meshes(const PolygonMesh& a, const PolygonMesh& b) {
 
 }  // namespace
 
+Result<Done> check_preparation(const Preparation& preparation) {
+  if (!(preparation.automatic_tension >= 0 && preparation.automatic_tension <= 1))
+    return make_error(e_automatic_tension_range, "The automatic tension is out of range.",
+                      "Use a number from 0 to 1.");
+  return Done{};
+}
+
 Result<PolyhedronSource> PolyhedronSource::from_mesh(PolygonMesh mesh) {
   const Result<Vector3> origin = take_origin(mesh.positions);
   if (!origin) return origin.error();
@@ -129,9 +136,12 @@ std::optional<Frames> stored_frames(const Source& source) {
 }
 
 std::optional<Frames> surface_frames(const Source& source) {
+  return stored_mode(source) == Mode::paper ? std::nullopt : stored_frames(source);
+}
+
+std::optional<Mode> stored_mode(const Source& source) {
   const auto* polyhedron = std::get_if<PolyhedronSource>(&source);
-  if (polyhedron && polyhedron->mode == Mode::paper) return std::nullopt;
-  return stored_frames(source);
+  return polyhedron ? std::optional(polyhedron->mode) : std::nullopt;
 }
 
 }  // namespace hariko

@@ -2,20 +2,21 @@
 
 // Sources: the authored data that objects are made from; nothing derived.
 
+#include <array>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
 #include <vector>
 
+#include "core/base/flat_map.hpp"
+#include "core/base/ids.hpp"
 #include "core/base/result.hpp"
 #include "core/base/vector.hpp"
-#include "core/document/attachment.hpp"
 #include "core/document/format/kept_members.hpp"
 #include "core/document/history/shared.hpp"
 #include "core/document/mirror.hpp"
 #include "core/document/picture_source.hpp"
-#include "core/document/preparation.hpp"
 #include "core/envelope/solid.hpp"
 #include "core/gaussmap/outlines/outline_settings.hpp"
 #include "core/network/shaping.hpp"
@@ -23,10 +24,56 @@
 #include "core/polyhedron/polyhedron.hpp"
 #include "core/skinning/skin.hpp"
 #include "core/surface/bezier_patch.hpp"
+#include "core/surface/bicubic_patch.hpp"
 
 namespace hariko {
 
 inline constexpr Code e_patch_grid{"E_PATCH_GRID"};
+inline constexpr Code e_automatic_tension_range{"E_AUTOMATIC_TENSION_RANGE"};
+
+/// Preparation: automatic steps between a polyhedron and its surface, beside the designer's own settings. The
+/// polyhedron stays as it is; only the input of the surface changes.
+struct Preparation {
+  /// Concave faces are cut into convex ones (core/modeling/surfacing/convex_faces.hpp).
+  bool split_concave = false;
+  /// Coplanar triangles are merged (core/modeling/surfacing/merged_faces.hpp), before concave faces are cut.
+  bool merge_coplanar = false;
+  /// 0 (off) .. 1: the tension of every edge is multiplied by (mean length / its length) to this power
+  /// (core/modeling/surfacing/automatic_tension.hpp).
+  double automatic_tension = 0;
+  friend bool operator==(const Preparation&, const Preparation&) = default;
+};
+/// Checks a preparation. E_AUTOMATIC_TENSION_RANGE: automatic tension is not a number from 0 to 1.
+Result<Done> check_preparation(const Preparation& preparation);
+
+/// The side of a join that is changed to make the surfaces tangent.
+enum class Adapts : std::uint8_t {
+  surface,  ///< the polyhedron's surface takes the patch's tangent planes
+  patch     ///< the patch's second row of control points takes the surface's tangent planes
+};
+
+/// Copy of a side whose patch object was deleted: its points relative to the polyhedron's origin, in the
+/// direction of the half-edge.
+struct FrozenSide {
+  std::array<Vector3, 4> curve, row;
+  friend bool operator==(const FrozenSide&, const FrozenSide&) = default;
+};
+
+/// Attachment: join of one border edge of a polyhedron to one side of a patch object or to a frozen side
+/// (kuriyama.md section 8). core/modeling/surfacing/object_surfacer.hpp makes joins from it.
+struct Attachment {
+  ObjectId patch;  ///< ignored when frozen
+  NetSide side;
+  /// Whether the edge's half-edge runs against the side's direction, as it does where both surfaces have the
+  /// same orientation.
+  bool reversed = true;
+  Continuity continuity = Continuity::g1;  ///< G0 or G1
+  Adapts adapts = Adapts::surface;         ///< used with G1 only
+  std::optional<FrozenSide> frozen = {};
+  friend bool operator==(const Attachment&, const Attachment&) = default;
+};
+
+using Attachments = FlatMap<EdgeId, Attachment>;
 
 /// Polyhedron with tensions, from which a surface is made. A point of the object is origin + position.
 struct PolyhedronSource {
@@ -158,6 +205,9 @@ std::optional<Frames> stored_frames(const Source& source);
 /// Frames that a source's surface is made in, where they can be chosen: nothing for kinds without them and
 /// for polyhedra of mode PAPER.
 std::optional<Frames> surface_frames(const Source& source);
+
+/// Mode that a source stores; nothing for kinds without it.
+std::optional<Mode> stored_mode(const Source& source);
 
 /// Name of a source's kind in files.
 inline std::string_view kind_of(const Source& source) {

@@ -133,9 +133,11 @@ inline constexpr auto enum_words<StripSide> = all_words<StripSide>({{StripSide::
 template <>
 inline constexpr auto enum_words<GaussMode> = all_words<GaussMode>({{GaussMode::curvature, "curvature"},
                                                                     {GaussMode::umbilic, "umbilic"},
-                                                                    {GaussMode::minkowski, "minkowski"},
                                                                     {GaussMode::paper, "paper"},
                                                                     {GaussMode::position, "position"}});
+/// Word of a mode that does not exist any more; files and command lines with it get `umbilic` and
+/// `OutlineSettings::mode_replaced`.
+inline constexpr std::string_view replaced_outline_mode = "minkowski";
 template <>
 inline constexpr auto enum_words<CurvatureSign> =
     all_words<CurvatureSign>({{CurvatureSign::positive, "positive"}, {CurvatureSign::negative, "negative"}});

@@ -171,9 +171,9 @@ class PatchSamples {
   Index count_;  ///< points of a patch
   DisjointSets sets_;
   std::vector<std::vector<int>> sides_;             ///< points of each side
-  std::vector<std::uint8_t> sides_of_;              ///< of each point, one bit a side
+  std::vector<std::uint8_t> sides_of_;              ///< sides that each point is on, one bit a side
   std::map<Index, std::uint8_t> shrunken_;          ///< sides of a patch that are points, one bit a side
-  std::map<Index, std::vector<AddedPoint>> added_;  ///< of each patch that has some
+  std::map<Index, std::vector<AddedPoint>> added_;  ///< points added to each patch that has some
   std::vector<Index> added_items_;
   std::vector<Index> numbers_;
 };

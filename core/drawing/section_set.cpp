@@ -8,6 +8,7 @@
 #include "core/base/parallel.hpp"
 #include "core/drawing/facet_curves.hpp"
 #include "core/drawing/plane_curves.hpp"
+#include "core/geometry/curve_places.hpp"
 #include "core/surface/patch.hpp"
 
 namespace hariko {
@@ -74,13 +75,6 @@ void append_point(SectionCurve& curve, const Vector3& point, const Vector3& toot
   }
   curve.points.push_back(point);
   curve.teeth.push_back(tooth);
-}
-
-std::vector<double> lengths_along(const std::vector<Vector3>& points) {
-  std::vector<double> out{0};
-  for (std::size_t i = 1; i < points.size(); ++i)
-    out.push_back(out.back() + (points[i] - points[i - 1]).norm());
-  return out;
 }
 
 /// Point at a length along a polyline.

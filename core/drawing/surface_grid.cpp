@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
+#include "core/base/index_list.hpp"
 #include "core/drawing/facet_curves.hpp"
 
 namespace hariko {
@@ -31,11 +31,9 @@ SurfaceGrid::SurfaceGrid(const DrawnSurface& drawn, const DrawingView& view, std
   choose_density(view, largest);
   triangles_ = pattern_.triangles();
   const Index count = drawn.surface.patch_count();
-  std::vector<Index> patches(count);
-  std::iota(patches.begin(), patches.end(), 0U);
   positions_.resize(std::size_t(count) * std::size_t(pattern_.point_count()));
   normals_.resize(positions_.size());
-  drawn.surface.patches().evaluate_grid(patches, pattern_, positions_, normals_);
+  drawn.surface.patches().evaluate_grid(ascending_indices(count), pattern_, positions_, normals_);
   for (Vector3& p : positions_) p = world(p);
   for (Vector3& n : normals_) n = world_normal(n);
   measure_chords();

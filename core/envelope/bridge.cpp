@@ -1,6 +1,3 @@
-#include "core/envelope/bridge.hpp"
-
-#include <Eigen/Geometry>
 #include <cmath>
 #include <numbers>
 
@@ -12,7 +9,7 @@ namespace {
 
 /// Weight of the centres, relative to the weight 1 of the distance between the ends.
 constexpr double drawn_share = 0.05;
-constexpr int bridge_rounds = 100;
+constexpr int bridge_rounds = 100;        ///< each leaves at most 1.05^-2 of the error, all of them 6e-5
 constexpr double shortest_bridge = 1e-3;  ///< length relative to the radius: a capsule must have a length
 
 Vector3 nearest_in(const SolidShape& shape, const Vector3& point) {

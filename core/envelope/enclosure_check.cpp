@@ -43,12 +43,9 @@ class Scene {
 
   std::vector<TestedPoint> spread_points() const {
     std::vector<TestedPoint> out;
-    for (Index s = 0; s < solids_.size(); ++s) {
-      const auto add = [&](const Vector3& p) {
+    for (Index s = 0; s < solids_.size(); ++s)
+      for (const Vector3& p : solids_[s].surface_points(effort_.points))
         if (!hidden(p, s, 0)) out.push_back({p, s});
-      };
-      std::ranges::for_each(solids_[s].surface_points(effort_.points), add);
-    }
     return out;
   }
 
@@ -111,7 +108,7 @@ class Scene {
   }
 
   std::size_t covered_patches() const {
-    std::vector<std::uint8_t> covered(patches(), 0);
+    std::vector<std::uint8_t> covered(surface_.patch_count(), 0);
     parallel_for(covered.size(), 16, [&](std::size_t begin, std::size_t end) {
       for (std::size_t p = begin; p < end && !cancel_.cancelled(); ++p) covered[p] = is_covered(p);
     });
@@ -119,8 +116,6 @@ class Scene {
   }
 
  private:
-  std::size_t patches() const { return per_patch_ > 0 ? mesh_.triangles.size() / per_patch_ : 0; }
-
   static void add(const OutsidePoint& point, EnclosureReport& report) {
     ++report.outside;
     report.worst = std::max(report.worst, point.distance);

@@ -74,18 +74,18 @@ void add_hull_warnings(const EnvelopeInput& input, std::vector<Message>& warning
 
 /// Adds the warning about files older than method `ball`.
 void add_file_warnings(const EnvelopeSettings& settings, std::vector<Message>& warnings) {
-  if (!settings.from_before && settings.lost.empty()) return;
+  if (!settings.converted.method && settings.converted.lost.empty()) return;
   std::string text =
       "The file is from an older Hariko, which made the surface round these solids in another way: its shape "
       "differs.";
-  if (!settings.from_before)
-    text = "The file is from an older Hariko; these of its settings mean nothing any more: " + settings.lost +
-           ".";
-  else if (!settings.lost.empty())
+  if (!settings.converted.method)
+    text = "The file is from an older Hariko; these of its settings mean nothing any more: " +
+           settings.converted.lost + ".";
+  else if (!settings.converted.lost.empty())
     text =
         "The file is from an older Hariko, which made the surface round these solids in another way: its "
         "shape differs, and these settings mean nothing any more: " +
-        settings.lost + ".";
+        settings.converted.lost + ".";
   warnings.push_back(make_warning(w_envelope_method, std::move(text),
                                   settings.method == EnvelopeMethod::ball
                                       ? "Look at tightness and rounding, or choose the network of curves."
@@ -110,11 +110,11 @@ void add_ball_warnings(const BallEnvelope& made, double asked, double rounding, 
 }
 
 Result<Done> make_ball(const EnvelopedScene& scene, Quality quality, const CancelToken& cancel,
-                       GrowthConstants& constants, EnvelopeSurface& out) {
+                       BallMemory& memory, EnvelopeSurface& out) {
   const EnvelopeSettings& wanted = scene.input.settings;
   const BallSettings ball = ball_settings(wanted, out.diagonal);
   std::optional<BallEnvelope> made =
-      ball_envelope(scene.input.solids, ball, out.origin, scene.mirror, quality, cancel, &constants);
+      ball_envelope(scene.input.solids, ball, out.origin, scene.mirror, quality, cancel, &memory);
   if (cancel.cancelled()) return cancelled();
   if (!made)
     return make_error(e_envelope_flat, "There is no surface round the solids.",
@@ -163,6 +163,9 @@ Result<Done> make_network(const EnvelopedScene& scene, Quality quality, const Ca
 
 }  // namespace
 
+EnvelopeSurfacer::EnvelopeSurfacer() : memory_(std::make_unique<BallMemory>()) {}
+EnvelopeSurfacer::~EnvelopeSurfacer() = default;
+
 Result<EnvelopeSurface> EnvelopeSurfacer::rebuild(const EnvelopeInput& input, Quality quality,
                                                   const CancelToken& cancel) {
   if (const auto checked = check_envelope(input); !checked) return checked.error();
@@ -171,8 +174,8 @@ Result<EnvelopeSurface> EnvelopeSurfacer::rebuild(const EnvelopeInput& input, Qu
   EnvelopeSurface out;
   out.origin = scene.origin;
   out.diagonal = solids_size(scene.input.solids);
-  const auto made = network ? make_network(scene, quality, cancel, out)
-                            : make_ball(scene, quality, cancel, constants_, out);
+  const auto made =
+      network ? make_network(scene, quality, cancel, out) : make_ball(scene, quality, cancel, *memory_, out);
   if (!made) return made.error();
   if (quality == Quality::drag) return out;
   add_file_warnings(input.settings, out.warnings);

@@ -7,7 +7,6 @@
 #include "core/base/cancellation.hpp"
 #include "core/base/result.hpp"
 #include "core/envelope/ball/ball_cage.hpp"
-#include "core/envelope/ball/grown_solids.hpp"
 #include "core/envelope/enclosure_check.hpp"
 #include "core/envelope/network/curve_network.hpp"
 #include "core/patching/polyhedron_surface.hpp"
@@ -51,10 +50,17 @@ struct EnvelopeSurface {
   std::vector<Message> warnings;
 };
 
-/// Makes envelopes. One per object; calls must not overlap. The result of a `final` call does not depend on
-/// earlier calls.
+struct BallMemory;
+
+/// Makes envelopes. One per object; calls must not overlap. Results do not depend on earlier calls, which
+/// only make later ones faster.
 class EnvelopeSurfacer {
  public:
+  EnvelopeSurfacer();
+  ~EnvelopeSurfacer();
+  EnvelopeSurfacer(const EnvelopeSurfacer&) = delete;
+  EnvelopeSurfacer& operator=(const EnvelopeSurfacer&) = delete;
+
   /// Makes the surface. Errors: those of `check_envelope`; E_ENVELOPE_FLAT, E_CANCELLED. Warnings:
   /// W_NOT_ENCLOSED, W_ENVELOPE_FOLD, W_ENVELOPE_CROSSING, W_SOLID_HULL (a polyhedron with points inside its
   /// hull), W_NOT_SYMMETRIC, W_ENVELOPE_COARSE, W_ENVELOPE_METHOD, W_ROUNDING_RAISED,
@@ -63,7 +69,7 @@ class EnvelopeSurfacer {
                                   const CancelToken& cancel = {});
 
  private:
-  GrowthConstants constants_;
+  std::unique_ptr<BallMemory> memory_;
 };
 
 }  // namespace hariko

@@ -4,8 +4,10 @@
 // coordinates.
 
 #include <array>
-#include <cmath>
+#include <functional>
+#include <span>
 
+#include "core/base/assert.hpp"
 #include "core/surface/patch.hpp"
 
 namespace hariko::gregory {
@@ -183,5 +185,42 @@ void subtract_twists(const Corners<Point>& m, double s, const Blend<4>& u, doubl
       out.uv -= (au * bv * x.value + au * b * xv + a * bv * xu + a * b * su * sv * x.pq) * share;
     }
 }
+
+/// Set of square patches with Gregory's twists, which evaluates the points of a grid together.
+class GridPatchSet : public PatchSet {
+ public:
+  Domain domain() const override { return Domain::square; }
+  void evaluate_grid(std::span<const Index> patches, const GridPattern& pattern, std::span<Vector3> positions,
+                     std::span<Vector3> normals) const override {
+    std::size_t at = 0;
+    for_grid(patches, pattern, Order::first,
+             [&](Index patch, const Vector2& parameter, const PatchPoint& point) {
+               positions[at] = point.position;
+               normals[at++] = normal_at(patch, parameter, point);
+             });
+  }
+  void evaluate_grid(std::span<const Index> patches, const GridPattern& pattern,
+                     std::span<PatchPoint> points) const override {
+    HARIKO_ASSERT(points.size() >= patches.size() * std::size_t(pattern.point_count()),
+                  "output array is too small");
+    std::size_t at = 0;
+    for_grid(patches, pattern, Order::second,
+             [&](Index, const Vector2&, const PatchPoint& point) { points[at++] = point; });
+  }
+  /// Not exact: Gregory's twists depend on the direction at corners.
+  CornerSecondOrder second_order_at_corner(Index patch, int corner) const override {
+    return unit_normal(evaluate(patch, corner_parameter(Domain::square, corner), Order::first)).isZero(0)
+               ? CornerSecondOrder::undefined
+               : CornerSecondOrder::direction_dependent;
+  }
+
+ protected:
+  using EachPoint = std::function<void(Index patch, const Vector2& parameter, const PatchPoint& point)>;
+
+ private:
+  /// Calls `each` for every point of the grid on every patch.
+  virtual void for_grid(std::span<const Index> patches, const GridPattern& pattern, Order order,
+                        const EachPoint& each) const = 0;
+};
 
 }  // namespace hariko::gregory

@@ -211,4 +211,11 @@ Matrix3 solid_rotation(const Vector3& degrees) {
       .toRotationMatrix();
 }
 
+void add_polygon(std::vector<Vector3>& points, std::uint32_t sides, double radius, double z, double phase) {
+  for (std::uint32_t k = 0; k < sides; ++k) {
+    const double a = 2 * std::numbers::pi * (k + phase) / sides;
+    points.emplace_back(radius * std::cos(a), radius * std::sin(a), z);
+  }
+}
+
 }  // namespace hariko

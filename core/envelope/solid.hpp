@@ -95,6 +95,14 @@ struct Solid {
 enum class EnvelopeMethod : std::uint8_t { ball, network };
 enum class SymmetryPlane : std::uint8_t { none, x, y, z };  ///< normal of the plane through the origin
 
+/// Changes that were made when an older file was read, told with the surface. Not saved, and all equal, so
+/// that a saved document equals the one that is read back.
+struct ConvertedSettings {
+  bool method = false;  ///< another method made the surface
+  std::string lost;     ///< names of settings that mean nothing any more
+  friend bool operator==(const ConvertedSettings&, const ConvertedSettings&) { return true; }
+};
+
 /// Settings of the envelope. Lengths are in the document's unit. `check_envelope` checks the ranges.
 struct EnvelopeSettings {
   /// The default, because the ball's lengths depend on the solids: see `choose_ball`.
@@ -109,8 +117,7 @@ struct EnvelopeSettings {
   bool finer_patches = false;  ///< method `ball`: about twice as many patches, closer to the shape
   double roundness = 0.35;     ///< (0, 1], method `network`: tangents on primitive parts; 1: circular arcs
   SymmetryPlane symmetry = SymmetryPlane::none;
-  bool from_before = false;  ///< read from a file in which another method made the surface; not saved
-  std::string lost = {};     ///< names of obsolete settings in that file; not saved
+  ConvertedSettings converted = {};
 
   friend bool operator==(const EnvelopeSettings&, const EnvelopeSettings&) = default;
 };
@@ -124,17 +131,13 @@ struct EnvelopeInput {
 inline constexpr std::size_t max_solids = 200;
 inline constexpr std::size_t max_solid_points = 2000;
 inline constexpr std::uint32_t max_solid_sides = 64;
-inline constexpr std::size_t max_pulls = 32;  ///< of one solid
+inline constexpr std::size_t max_pulls = 32;  ///< limit for one solid
 /// Largest distance of a pull from the middle of its solid, relative to the solid's diagonal.
 inline constexpr double farthest_pull = 2;
 
 /// Name of a kind: "box", "sphere", ...
 inline std::string_view name_of(SolidKind kind) {
   return enum_word(kind);
-}
-/// Kind with a name; nothing for other names.
-inline std::optional<SolidKind> solid_kind_named(std::string_view name) {
-  return enum_value<SolidKind>(name);
 }
 
 /// Checks solids and settings. Errors name the solid by its index in the list (from 0, the element is an
@@ -154,5 +157,14 @@ Vector3 own_place(const Solid& solid, const Vector3& point);
 
 /// Rotation matrix Rz Ry Rx of angles in degrees.
 Matrix3 solid_rotation(const Vector3& degrees);
+
+/// Adds the corners of a regular polygon about the z axis. `phase`: angle of the first one, in sides.
+void add_polygon(std::vector<Vector3>& points, std::uint32_t sides, double radius, double z,
+                 double phase = 0);
+
+/// Makes a capsule of radius `radius` (a length) from one solid to another, in the axes of their object. It
+/// ends at their nearest points, shifted slightly towards their centres, so that it moves continuously with
+/// the solids even where sides are parallel. It stores the ids of the two.
+Solid bridge_between(const Solid& a, const Solid& b, double radius);
 
 }  // namespace hariko

@@ -35,6 +35,28 @@ double SharpCurve::length() const {
   return across ? 2 * pi * std::max(along.norm(), across->norm()) : along.norm();
 }
 
+double SolidShape::extent(const Vector3& direction) const {
+  const Vector3 way = rotation_.transpose() * direction;
+  const double round = way.head<2>().cwiseProduct(half_.head<2>()).norm();
+  switch (form_) {
+    case Form::box:
+      return way.cwiseAbs().dot(half_);
+    case Form::cylinder:
+      return round + std::abs(way.z()) * half_.z();
+    case Form::cone:
+      return std::max(1.5 * half_.z() * way.z(), round - 0.5 * half_.z() * way.z());
+    case Form::capsule:
+      return way.cwiseProduct(half_).norm() + along_ * std::abs(way.z());
+    case Form::torus:
+      return way.cwiseProduct(half_).norm() + way.head<2>().cwiseProduct(ring_).norm();
+    case Form::hull:
+      break;
+  }
+  double out = -reach_;
+  for (const Vector3& p : extremes_) out = std::max(out, way.dot(p));
+  return out;
+}
+
 Vector3 SolidShape::half_extent() const {
   if (form_ == Form::capsule) return half_ + Vector3(0, 0, along_);
   if (form_ != Form::hull) return half_;

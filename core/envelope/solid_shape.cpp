@@ -8,29 +8,18 @@
 #include <numbers>
 
 #include "core/base/disjoint_sets.hpp"
+#include "core/base/equal_bits.hpp"
 #include "core/envelope/ellipsoid_distance.hpp"
+#include "core/geometry/edge_key.hpp"
 #include "core/geometry/rotation.hpp"
 #include "core/geometry/tolerant_hull.hpp"
+#include "core/geometry/triangle.hpp"
 
 namespace hariko {
 
 namespace {
 
 constexpr double flat = 1 - 1e-12;  ///< cosine of the largest angle between parts of one face
-
-std::vector<Vector3> corners(std::uint32_t count, double radius, double z) {
-  std::vector<Vector3> out;
-  for (std::uint32_t k = 0; k < count; ++k) {
-    const double a = 2 * std::numbers::pi * k / count;
-    out.emplace_back(radius * std::cos(a), radius * std::sin(a), z);
-  }
-  return out;
-}
-
-Vector3 nearest_on_segment(const Vector3& p, const Vector3& a, const Vector3& b) {
-  const Vector3 e = b - a;
-  return a + std::clamp((p - a).dot(e) / e.squaredNorm(), 0.0, 1.0) * e;
-}
 
 /// Position relative to an outside point: `nearest` is the solid's nearest point, `normal` the direction used
 /// at distance 0.
@@ -83,7 +72,7 @@ Vector3 SolidShape::Hull::Face::nearest(const Vector3& p, double height) const {
   double least = 1e300;
   for (std::size_t i = 0; i < 3; ++i) {
     if (inwards[i].dot(p - *corners[i]) >= 0) continue;
-    const Vector3 q = nearest_on_segment(p, *corners[i], *corners[(i + 1) % 3]);
+    const Vector3 q = nearest_point_of_segment(p, *corners[i], *corners[(i + 1) % 3]);
     if (const double square = (p - q).squaredNorm(); square < least) least = square, best = q;
   }
   return best;
@@ -106,20 +95,17 @@ SolidShape::SolidShape(const Solid& solid, const Vector3& origin)
   make(solid);
 }
 
-/// Adds points of an ellipse in the half axes of the cross-section, one of each kind.
-void SolidShape::add_ring(double radius, double height, int count) {
-  const double turn = half_.x() == half_.y() ? std::numbers::pi / 8 : std::numbers::pi / 2 / (count - 1);
+/// Adds points of the rim at a height, one of each kind.
+void SolidShape::add_rim(double height) {
+  constexpr double turn = std::numbers::pi / 8;
+  const int count = half_.x() == half_.y() ? 2 : 5;
   for (int k = 0; k < count; ++k)
-    extremes_.emplace_back(radius * half_.x() * std::cos(k * turn), radius * half_.y() * std::sin(k * turn),
-                           height);
+    extremes_.emplace_back(half_.x() * std::cos(k * turn), half_.y() * std::sin(k * turn), height);
 }
 
 void SolidShape::make(const Solid& s) {
   const Vector3 scale = s.scale;
-  const auto scaled = [&](std::vector<Vector3> points) {
-    for (Vector3& p : points) p = p.cwiseProduct(scale);
-    return points;
-  };
+  std::vector<Vector3> points;  // points of hulls
   switch (s.kind) {
     case SolidKind::box:
       form_ = Form::box;
@@ -140,14 +126,14 @@ void SolidShape::make(const Solid& s) {
       form_ = Form::cylinder;
       half_ = Vector3(s.radius, s.radius, s.height / 2).cwiseProduct(scale);
       reach_ = std::hypot(half_.head<2>().maxCoeff(), half_.z());
-      add_ring(1, half_.z(), half_.x() == half_.y() ? 2 : 5);
+      add_rim(half_.z());
       face_middles_ = {{0, 0, half_.z()}};
       break;
     case SolidKind::cone:
       form_ = Form::cone;
       half_ = Vector3(s.radius, s.radius, s.height / 2).cwiseProduct(scale);
       reach_ = std::max(1.5 * half_.z(), std::hypot(half_.head<2>().maxCoeff(), 0.5 * half_.z()));
-      add_ring(1, -0.5 * half_.z(), half_.x() == half_.y() ? 2 : 5);
+      add_rim(-0.5 * half_.z());
       extremes_.emplace_back(0, 0, 1.5 * half_.z());
       face_middles_ = {{0, 0, -0.5 * half_.z()}};
       break;
@@ -159,31 +145,30 @@ void SolidShape::make(const Solid& s) {
       extremes_ = {{ring_.x() + half_.x(), 0, 0}, {ring_.x() - half_.x(), 0, 0}, {ring_.x(), 0, half_.z()},
                    {0, ring_.y() + half_.y(), 0}, {0, ring_.y() - half_.y(), 0}, {0, ring_.y(), half_.z()}};
       break;
-    case SolidKind::prism: {
-      std::vector<Vector3> points = corners(s.sides, s.radius, -s.height / 2);
-      for (const Vector3& p : corners(s.sides, s.radius, s.height / 2)) points.push_back(p);
-      make_hull(scaled(std::move(points)));
+    case SolidKind::prism:
+      add_polygon(points, s.sides, s.radius, -s.height / 2);
+      add_polygon(points, s.sides, s.radius, s.height / 2);
       break;
-    }
-    case SolidKind::pyramid: {
-      std::vector<Vector3> points = corners(s.sides, s.radius, -s.height / 4);
+    case SolidKind::pyramid:
+      add_polygon(points, s.sides, s.radius, -s.height / 4);
       points.emplace_back(0, 0, 0.75 * s.height);
-      make_hull(scaled(std::move(points)));
       break;
-    }
     case SolidKind::polyhedron:
-      make_hull(scaled(s.points));
+      points = s.points;
       break;
   }
+  if (points.empty()) return;
+  for (Vector3& p : points) p = p.cwiseProduct(scale);
+  make_hull(points);
 }
 
-void SolidShape::make_hull(std::vector<Vector3> points) {
+void SolidShape::make_hull(std::span<const Vector3> points) {
   form_ = Form::hull;
   double size = 0;
   for (const Vector3& p : points) size = std::max(size, p.norm());
   const TolerantHull hull = tolerant_hull(points, 1e-9 * size);
   auto made = std::make_shared<Hull>();
-  std::map<std::pair<Index, Index>, Index> faces;
+  std::map<std::uint64_t, Index> faces;  // by edge
   std::vector<std::array<Index, 2>> coplanar;
   for (const auto& t : hull.triangles) {
     Hull::Face face{points[t[0]], points[t[1]], points[t[2]], {}, 0, {}};
@@ -193,12 +178,13 @@ void SolidShape::make_hull(std::vector<Vector3> points) {
       face.inwards[i] = face.normal.cross(points[t[(i + 1) % 3]] - points[t[i]]);
     made->faces.push_back(face);
     for (std::size_t i = 0; i < 3; ++i) {
-      const auto ends = std::minmax(t[i], t[(i + 1) % 3]);
+      const std::uint64_t edge = edge_key(t[i], t[(i + 1) % 3]);
       const Index here = Index(made->faces.size() - 1);
-      const auto [other, fresh] = faces.try_emplace({ends.first, ends.second}, here);
+      const auto [other, fresh] = faces.try_emplace(edge, here);
       if (fresh) continue;
+      const auto [low, high] = ends_of_key(edge);
       if (made->faces[other->second].normal.dot(face.normal) < flat)
-        made->edges.push_back({points[ends.first], points[ends.second]});
+        made->edges.push_back({points[low], points[high]});
       else
         coplanar.push_back({other->second, here});
     }
@@ -234,27 +220,26 @@ Vector3 SolidShape::middle() const {
   return hull_ ? hull_->middle : Vector3(ring_.x(), 0, 0);
 }
 
+bool SolidShape::is_same(const SolidShape& other) const {
+  return form_ == other.form_ && equal_bits(centre_, other.centre_) &&
+         equal_bits(rotation_, other.rotation_) && equal_bits(half_, other.half_) &&
+         equal_bits(along_, other.along_) && equal_bits(ring_, other.ring_) &&
+         equal_bits(reach_, other.reach_) && hull_ == other.hull_;
+}
+
 double SolidShape::distance(const Vector3& point) const {
   return own_distance(rotation_.transpose() * (point - centre_));
 }
 
 double SolidShape::own_distance(const Vector3& p) const {
-  switch (form_) {
-    case Form::box: {
-      const Vector3 d = p.cwiseAbs() - half_;
-      return d.cwiseMax(0).norm() + std::min(d.maxCoeff(), 0.0);
-    }
-    case Form::capsule:
-      if (half_.x() == half_.y() && half_.x() == half_.z())
-        return Vector3(p.x(), p.y(), p.z() - std::clamp(p.z(), -along_, along_)).norm() - half_.x();
-      break;
-    case Form::torus:
-      if (half_.x() == half_.y() && half_.x() == half_.z())
-        return std::hypot(std::hypot(p.x(), p.y()) - ring_.x(), p.z()) - half_.x();
-      break;
-    default:
-      break;
+  if (form_ == Form::box) {
+    const Vector3 d = p.cwiseAbs() - half_;
+    return d.cwiseMax(0).norm() + std::min(d.maxCoeff(), 0.0);
   }
+  if (form_ == Form::capsule && is_ball_swept())
+    return Vector3(p.x(), p.y(), p.z() - std::clamp(p.z(), -along_, along_)).norm() - half_.x();
+  if (form_ == Form::torus && is_ball_swept())
+    return std::hypot(std::hypot(p.x(), p.y()) - ring_.x(), p.z()) - half_.x();
   return own_place(p).distance;
 }
 
@@ -272,7 +257,7 @@ Vector3 SolidShape::ring_point(double angle) const {
 /// Angle of the swept ball that is nearest to a point.
 double SolidShape::torus_angle(const Vector3& p) const {
   if (ring_.x() == ring_.y()) return std::atan2(p.y(), p.x());
-  return least_angle([&](double a) { return ellipsoid_place(half_, p - ring_point(a)).distance; });
+  return least_angle([&](double a) { return axes_place<3>(half_, p - ring_point(a)).distance; });
 }
 
 SolidPlace SolidShape::own_place(const Vector3& p) const {
@@ -293,10 +278,9 @@ SolidPlace SolidShape::own_place(const Vector3& p) const {
     case Form::torus: {
       const Vector3 middle = form_ == Form::capsule ? Vector3(0, 0, std::clamp(p.z(), -along_, along_))
                                                     : ring_point(torus_angle(p));
-      const EllipsoidPlace at = ellipsoid_place(half_, p - middle);
+      const AxesPlace<3> at = axes_place<3>(half_, p - middle);
       // For a ball the best inner ball is the ball itself.
-      if (half_.x() == half_.y() && half_.x() == half_.z())
-        return {at.distance, at.normal, middle, half_.x()};
+      if (is_ball_swept()) return {at.distance, at.normal, middle, half_.x()};
       if (at.distance <= 0) return place_inside(p, at.distance, at.normal);
       return {at.distance, at.normal, middle + at.nearest, 0};
     }
@@ -324,7 +308,7 @@ SolidPlace SolidShape::own_place(const Vector3& p) const {
 }
 
 SolidPlace SolidShape::cylinder_place(const Vector3& p) const {
-  const EllipsePlace side = ellipse_place(half_.head<2>(), p.head<2>());
+  const AxesPlace<2> side = axes_place<2>(half_.head<2>(), p.head<2>());
   const double end = std::abs(p.z()) - half_.z(), sign = p.z() < 0 ? -1 : 1;
   const Vector3 side_normal(side.normal.x(), side.normal.y(), 0), end_normal(0, 0, sign);
   if (side.distance <= 0 && end <= 0)
@@ -351,14 +335,15 @@ SolidPlace SolidShape::cone_place(const Vector3& p) const {
   const double side = normal(steep).dot(p - tip), base = low - p.z();
   if (side <= 0 && base <= 0)
     return side > base ? place_inside(p, side, normal(steep)) : place_inside(p, base, -Vector3::UnitZ());
-  const double at =
-      upright ? round
-              : least_angle([&](double a) { return (p - nearest_on_segment(p, rim(a), tip)).squaredNorm(); });
-  Vector3 nearest = nearest_on_segment(p, rim(at), tip);
+  const auto square_to_line = [&](double a) {
+    return (p - nearest_point_of_segment(p, rim(a), tip)).squaredNorm();
+  };
+  const double at = upright ? round : least_angle(square_to_line);
+  Vector3 nearest = nearest_point_of_segment(p, rim(at), tip);
   if (base > 0) {
-    const EllipsePlace edge = ellipse_place(half_.head<2>(), p.head<2>());
-    const Vector2 flat = edge.distance > 0 ? edge.nearest : Vector2(p.head<2>());
-    const Vector3 below(flat.x(), flat.y(), low);
+    const AxesPlace<2> edge = axes_place<2>(half_.head<2>(), p.head<2>());
+    const Vector2 foot = edge.distance > 0 ? edge.nearest : Vector2(p.head<2>());
+    const Vector3 below(foot.x(), foot.y(), low);
     if ((p - below).squaredNorm() < (p - nearest).squaredNorm()) nearest = below;
   }
   return place_outside(p, nearest, side > 0 ? normal(steep) : Vector3(-Vector3::UnitZ()));

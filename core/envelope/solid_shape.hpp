@@ -48,7 +48,18 @@ class SolidShape {
 
   const Vector3& centre() const { return centre_; }
   double reach() const { return reach_; }  ///< no point of the solid is farther from the centre
+  /// Largest way of a point of the solid from the centre along a unit vector.
+  double extent(const Vector3& direction) const;
   bool is_convex() const { return form_ != Form::torus; }
+  /// Whether distances are exact to rounding, and so 1-Lipschitz. On stretched cones and rings the nearest
+  /// place is searched for, and a distance may be too large.
+  bool is_exact() const {
+    return (form_ != Form::cone || half_.x() == half_.y()) &&
+           (form_ != Form::torus || ring_.x() == ring_.y());
+  }
+  /// Whether another shape has the same distances, bit for bit. Hulls count as the same where one is a copy
+  /// of the other. O(1).
+  bool is_same(const SolidShape& other) const;
   /// Points of the solid, one of each kind of corner, rim and side, in its own axes about its centre:
   /// candidates for the largest mean of the distance over a neighbourhood.
   const std::vector<Vector3>& extremes() const { return extremes_; }
@@ -71,10 +82,12 @@ class SolidShape {
   struct Hull;
 
   void make(const Solid& solid);
-  void make_hull(std::vector<Vector3> points);
+  void make_hull(std::span<const Vector3> points);
   void find_face_middles(std::span<const std::array<Index, 2>> coplanar);
-  void add_ring(double radius, double height, int count);
+  void add_rim(double height);
   Vector3 half_extent() const;  ///< in the solid's own axes, of forms that are round about their centre
+  /// Whether the ellipsoid that makes a capsule or a torus is a ball.
+  bool is_ball_swept() const { return half_.x() == half_.y() && half_.x() == half_.z(); }
   SolidPlace own_place(const Vector3& point) const;
   SolidPlace cylinder_place(const Vector3& point) const;
   SolidPlace cone_place(const Vector3& point) const;
@@ -105,7 +118,7 @@ struct SolidShape::Hull {
     Vector3 nearest(const Vector3& point, double height) const;
   };
   std::vector<Face> faces;
-  std::vector<std::array<Vector3, 2>> edges;  ///< where faces meet at an angle
+  std::vector<std::array<Vector3, 2>> edges;  ///< ends of edges at which faces meet at an angle
   Vector3 middle = Vector3::Zero();           ///< an inner point
 };
 

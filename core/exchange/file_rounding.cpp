@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -88,15 +87,8 @@ class Measure {
   FileRounding out_;
 };
 
-std::string three_digits(double value) {
-  std::array<char, 32> text;
-  const auto end =
-      std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, 3);
-  return {text.data(), end.ptr};
-}
-
 std::string facet_count(std::size_t count) {
-  return std::to_string(count) + (count == 1 ? " facet" : " facets");
+  return counted(count, " facet", " facets");
 }
 
 }  // namespace
@@ -153,7 +145,7 @@ bool ruins(const FileRounding& rounding, const double* allowed) {
 Message digits_error(const FileRounding& rounding, std::string_view name) {
   const std::string moves = std::string(name) +
                             ": this format holds 7 to 8 digits, which moves vertices by up to " +
-                            three_digits(rounding.distance);
+                            rounded_text(rounding.distance, 3);
   return make_error(e_file_digits,
                     rounding.collapsed == 0
                         ? moves + " so far from zero."
@@ -164,7 +156,7 @@ Message digits_error(const FileRounding& rounding, std::string_view name) {
 Message turn_error(const FileRounding& rounding, std::string_view name) {
   return make_error(e_file_digits,
                     std::string(name) + ": this format holds 7 to 8 digits, which turns facets by up to " +
-                        three_digits(rounding.turn * 180 / std::numbers::pi) +
+                        rounded_text(rounding.turn * 180 / std::numbers::pi, 3) +
                         " degrees: more than the angle that was asked for leaves.",
                     way_out);
 }
@@ -176,7 +168,7 @@ bool coarse(const FileRounding& rounding, const double* allowed) {
 Message digits_warning(const FileRounding& rounding, std::string_view name) {
   const std::string moves = std::string(name) +
                             ": this format holds 7 to 8 digits, which moves vertices by up to " +
-                            three_digits(rounding.distance);
+                            rounded_text(rounding.distance, 3);
   return make_warning(w_file_digits,
                       rounding.collapsed == 0 ? moves + "."
                                               : moves + ", and leaves out or flattens " +

@@ -67,6 +67,16 @@ bool strip_plus(std::string_view& text) {
   return !text.empty() && text[0] != '-' && text[0] != '+';
 }
 
+/// Number with the exponent letter of Fortran's double precision, D, as E has it; empty for other texts.
+std::string with_letter_e(std::string_view text) {
+  const std::size_t letter = text.find_first_of("Dd");
+  if (letter == std::string_view::npos || text.find_first_not_of("0123456789.+-Dd") != std::string_view::npos)
+    return {};
+  std::string out(text);
+  out[letter] = 'e';
+  return out;
+}
+
 template <class Number>
 void append_number(std::string& out, Number value) {
   char buffer[40];
@@ -82,8 +92,10 @@ NumberStatus parse_real(std::string_view text, double& value) {
   if (parse_short_decimal(text, value)) return NumberStatus::ok;
   double parsed = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), parsed);
-  if (error == std::errc::invalid_argument || end != text.data() + text.size())
-    return NumberStatus::malformed;
+  if (error == std::errc::invalid_argument || end != text.data() + text.size()) {
+    const std::string usual = with_letter_e(text);
+    return usual.empty() ? NumberStatus::malformed : parse_real(usual, value);
+  }
   if (error == std::errc::result_out_of_range) {
     if (is_huge(text)) return NumberStatus::too_large;
     parsed = 0;

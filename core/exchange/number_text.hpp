@@ -11,9 +11,9 @@ namespace hariko {
 /// Outcome of parsing a number.
 enum class NumberStatus { ok, malformed, not_finite, too_large };
 
-/// Parses the whole of `text` as a decimal number, correctly rounded. A leading + is allowed; nan and inf are
-/// `not_finite`, magnitudes above the largest double `too_large`; those below the smallest become 0. `value`
-/// is set only when ok. O(size).
+/// Parses the whole of `text` as a decimal number, correctly rounded. A leading + is allowed, and so is the
+/// exponent letter D of Fortran programs; nan and inf are `not_finite`, magnitudes above the largest double
+/// `too_large`; those below the smallest become 0. `value` is set only when ok. O(size).
 NumberStatus parse_real(std::string_view text, double& value);
 
 /// Parses the whole of `text` as a decimal integer; a leading + is allowed. `value` is set only when ok.

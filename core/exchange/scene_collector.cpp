@@ -17,19 +17,39 @@ namespace {
 
 constexpr std::uint64_t always_accepted = 20'000'000;
 
-void place(PolygonMesh& mesh, const Placement& placement) {
+void place(PolygonMesh& mesh, const AffineMap& placement) {
   if (placement.is_same()) return;
   for (Vector3& position : mesh.positions) position = placement(position);
   if (placement.mirrors()) turn_over(mesh);
 }
 
-std::string counted(std::size_t count, const char* one, const char* several) {
-  return std::to_string(count) + (count == 1 ? one : several);
+/// Appends the vertices and faces of a mesh to another one.
+void append_mesh(const PolygonMesh& part, PolygonMesh& whole) {
+  const auto before = static_cast<Index>(whole.positions.size());
+  const auto corners_before = static_cast<Index>(whole.face_vertices.size());
+  whole.positions.insert(whole.positions.end(), part.positions.begin(), part.positions.end());
+  for (const Index v : part.face_vertices) whole.face_vertices.push_back(before + v);
+  for (std::size_t f = 1; f < part.face_offsets.size(); ++f)
+    whole.face_offsets.push_back(corners_before + part.face_offsets[f]);
 }
 
 }  // namespace
 
-bool Placement::flattens() const {
+Message objects_joined_message(std::size_t count) {
+  return make_warning(
+      w_objects_joined,
+      std::to_string(count) + " objects of the file became one, as they are too many to be told apart.",
+      "Export parts of the model as files of their own.");
+}
+
+Message not_finite_message(std::size_t count) {
+  return make_warning(w_left_out,
+                      counted(count, " face with a coordinate that is not finite was left out.",
+                              " faces with coordinates that are not finite were left out."),
+                      "Compare the object with that in the program that wrote the file.");
+}
+
+bool AffineMap::flattens() const {
   if (!(largest() > 0)) return true;
   const Vector3 stretches = singular_axes(linear / largest()).values;
   return !(stretches[2] > 1e-12 * stretches[0]);
@@ -50,17 +70,13 @@ std::optional<Message> SceneCollector::reserve(std::uint64_t vertices, std::uint
   return {};
 }
 
-std::optional<Message> SceneCollector::add(PolygonMesh mesh, const Placement& placement,
+std::optional<Message> SceneCollector::add(PolygonMesh mesh, const AffineMap& placement,
                                            std::string_view name) {
   if (mesh.face_count() == 0) return {};
   if (placement.is_finite() && placement.flattens()) {
     ++flat_;
     return {};
   }
-  if (scene_.parts.size() == ImportedScene::max_parts)
-    return make_error(e_limit,
-                      "The file places more than " + std::to_string(ImportedScene::max_parts) + " objects.",
-                      "Join objects before importing it.");
   place(mesh, placement);
   if (std::any_of(mesh.positions.begin(), mesh.positions.end(),
                   [](const Vector3& position) { return !position.allFinite(); }))
@@ -68,8 +84,21 @@ std::optional<Message> SceneCollector::add(PolygonMesh mesh, const Placement& pl
                       name.empty() ? std::string("The transform of an object is too large.")
                                    : "The transform of \"" + shortened(name, 200) + "\" is too large.",
                       "Correct the file, or export it again.");
-  scene_.parts.push_back({std::move(mesh), sanitized_utf8(name, 200)});
+  if (scene_.parts.size() == ImportedScene::max_parts) join_all();
+  if (joined_ == 0) {
+    scene_.parts.push_back({std::move(mesh), sanitized_utf8(name, 200)});
+  } else {
+    append_mesh(mesh, scene_.parts.front().mesh);
+    ++joined_;
+  }
   return {};
+}
+
+void SceneCollector::join_all() {
+  joined_ = scene_.parts.size();
+  for (std::size_t k = 1; k < joined_; ++k) append_mesh(scene_.parts[k].mesh, scene_.parts.front().mesh);
+  scene_.parts.erase(scene_.parts.begin() + 1, scene_.parts.end());
+  scene_.parts.front().name.clear();
 }
 
 Result<ImportedScene> SceneCollector::finish() {
@@ -79,6 +108,7 @@ Result<ImportedScene> SceneCollector::finish() {
                       : degenerate_ > 0 ? "All triangles of the file have two corners at the same place."
                                         : "The file places no triangles.",
                       "Export surfaces, not points or lines.");
+  if (joined_ > 0) scene_.warnings.push_back(objects_joined_message(joined_));
   if (degenerate_ > 0)
     scene_.warnings.push_back(
         make_warning(w_degenerate_triangles,
@@ -96,15 +126,7 @@ ImportedMesh merged(ImportedScene scene) {
   out.warnings = std::move(scene.warnings);
   out.name = scene.parts.front().name;
   out.mesh = std::move(scene.parts.front().mesh);
-  for (std::size_t k = 1; k < scene.parts.size(); ++k) {
-    const PolygonMesh& part = scene.parts[k].mesh;
-    const auto before = static_cast<Index>(out.mesh.positions.size());
-    const auto corners_before = static_cast<Index>(out.mesh.face_vertices.size());
-    out.mesh.positions.insert(out.mesh.positions.end(), part.positions.begin(), part.positions.end());
-    for (const Index v : part.face_vertices) out.mesh.face_vertices.push_back(before + v);
-    for (std::size_t f = 1; f < part.face_offsets.size(); ++f)
-      out.mesh.face_offsets.push_back(corners_before + part.face_offsets[f]);
-  }
+  for (std::size_t k = 1; k < scene.parts.size(); ++k) append_mesh(scene.parts[k].mesh, out.mesh);
   return out;
 }
 

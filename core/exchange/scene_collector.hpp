@@ -6,8 +6,8 @@
 #include <optional>
 #include <string>
 
+#include "core/exchange/affine_map.hpp"
 #include "core/exchange/imported_scene.hpp"
-#include "core/exchange/placement.hpp"
 
 namespace hariko {
 
@@ -26,8 +26,9 @@ class SceneCollector {
   /// Counts vertices and corners before they are made. Errors: E_LIMIT, E_CANCELLED.
   std::optional<Message> reserve(std::uint64_t vertices, std::uint64_t corners);
   /// Adds a mesh that was counted; ignores one without faces. Mirrored meshes are turned over, so that their
-  /// outside stays outside. Errors: E_PARSE where a position overflows.
-  std::optional<Message> add(PolygonMesh mesh, const Placement& placement, std::string_view name);
+  /// outside stays outside. More than `ImportedScene::max_parts` become one without a name. Errors: E_PARSE
+  /// where a position overflows.
+  std::optional<Message> add(PolygonMesh mesh, const AffineMap& placement, std::string_view name);
 
   /// Counts degenerate triangles that were left out, for one warning.
   void note_degenerate(std::size_t count) { degenerate_ += count; }
@@ -36,10 +37,13 @@ class SceneCollector {
   Result<ImportedScene> finish();
 
  private:
+  void join_all();
+
   const ReadLimits& limits_;
   ImportedScene scene_;
   std::uint64_t bytes_ = 0, vertices_ = 0, corners_ = 0;
   std::size_t degenerate_ = 0, flat_ = 0;
+  std::size_t joined_ = 0;  ///< objects in the one part that all became; 0 while they are apart
 };
 
 }  // namespace hariko

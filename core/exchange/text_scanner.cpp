@@ -1,5 +1,8 @@
 #include "core/exchange/text_scanner.hpp"
 
+#include <cmath>
+#include <limits>
+
 #include "core/base/text/sanitized_utf8.hpp"
 #include "core/exchange/imported_mesh.hpp"
 #include "core/exchange/number_text.hpp"
@@ -104,9 +107,20 @@ Message TextScanner::file_ends(const char* what) const {
 }
 
 std::optional<Message> TextScanner::read_real(const char* what, double& value) {
+  auto error = read_any_real(what, value);
+  if (error || !std::isnan(value)) return error;
+  const std::string_view text = last_token();
+  return error_here(e_parse, number_sentence(NumberStatus::not_finite, what, text), number_remedy(text));
+}
+
+std::optional<Message> TextScanner::read_any_real(const char* what, double& value) {
   const std::string_view text = token();
   const NumberStatus status = parse_real(text, value);
   if (status == NumberStatus::ok) return {};
+  if (status == NumberStatus::not_finite) {
+    value = std::numeric_limits<double>::quiet_NaN();
+    return {};
+  }
   if (text.empty() && at_end()) return file_ends(what);
   return error_here(e_parse, number_sentence(status, what, text), number_remedy(text));
 }

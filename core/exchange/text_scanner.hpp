@@ -64,6 +64,8 @@ class TextScanner {
 
   /// Reads the next token as a finite number; `what` names it in the message. Errors: E_PARSE, E_TRUNCATED.
   std::optional<Message> read_real(const char* what, double& value);
+  /// Reads as `read_real`, but gives NaN for words such as "nan" and "inf".
+  std::optional<Message> read_any_real(const char* what, double& value);
   /// Reads three numbers; errors as `read_real`.
   std::optional<Message> read_point(const char* what, Vector3& point);
   /// Reads the next token as an integer; errors as `read_real`.

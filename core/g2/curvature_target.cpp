@@ -84,7 +84,7 @@ SymmetricMatrix2 in_chart(const FramedPoint& p) {
 using Christoffel = std::array<Eigen::Vector2d, 3>;
 Christoffel christoffel(const ReferencePoint& s, const FramedPoint& p) {
   const SymmetricMatrix2 m = p.inverse_root();
-  Eigen::Matrix2d inverse;  // of the metric
+  Eigen::Matrix2d inverse;  // inverse of the metric
   inverse << m[0] * m[0] + m[1] * m[1], m[1] * (m[0] + m[2]), m[1] * (m[0] + m[2]), m[1] * m[1] + m[2] * m[2];
   const auto of = [&](const Vector3& second) -> Eigen::Vector2d {
     return inverse * Eigen::Vector2d(second.dot(s.x), second.dot(s.y));
@@ -181,7 +181,7 @@ FramedFace framed(const ChartSamples& samples, const FaceReference& reference) {
       const double floor = least_metric * mean, g11 = s.x.squaredNorm() + floor, g12 = s.x.dot(s.y),
                    g22 = s.y.squaredNorm() + floor;
       p.area = std::sqrt(g11 * g22 - g12 * g12);
-      const double trace = std::sqrt(g11 + g22 + 2 * p.area);  // of L
+      const double trace = std::sqrt(g11 + g22 + 2 * p.area);  // trace of L
       p.root = {(g11 + p.area) / trace, g12 / trace, (g22 + p.area) / trace};
       p.normal = s.x.cross(s.y).stableNormalized();
       if (!p.normal.allFinite()) p.normal.setZero();

@@ -59,13 +59,9 @@ class UnknownBuilder {
   /// Corners of v counter-clockwise, beginning at a sharp edge where there are several sectors.
   std::vector<Index> fan(Index v) const {
     std::vector<Index> corners;
-    const Index first = mesh_.outgoing(v);
-    Index h = first;
-    do {
-      corners.push_back(h);
-      h = mesh_.rotate(h);
-    } while (h != no_index && h != first);
-    if (h == no_index || frames_.kind[v] == FrameKind::smooth || frames_.kind[v] == FrameKind::straight)
+    for (const Index h : mesh_.fan_corners(v)) corners.push_back(h);
+    if (mesh_.is_border_vertex(v) || frames_.kind[v] == FrameKind::smooth ||
+        frames_.kind[v] == FrameKind::straight)
       return corners;
     std::size_t begin = 0;
     while (!opens_sector(corners[begin])) ++begin;

@@ -80,7 +80,6 @@ class G2System {
   /// Network with the surface's own tangents.
   Network network_of(const Given& given, const Field& unknowns) const;
 
-  std::size_t element_count() const { return elements_.count(); }
   /// Bytes of matrices; shared ones are counted once.
   std::size_t matrix_bytes() const;
 

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <limits>
-#include <numeric>
 
+#include "core/base/index_list.hpp"
 #include "core/g2/curvature_target.hpp"
 
 namespace hariko {
@@ -30,12 +30,10 @@ double target_share(const G2Layout& layout, Index face, std::span<const Vector3>
       low = std::min(low, length);
       high = std::max(high, length);
     };
-    Index g = mesh.outgoing(mesh.origin(h));
-    do {
+    for (const Index g : mesh.fan_corners(mesh.origin(h))) {
       add(g);
       add(mesh.previous(g));
-      g = mesh.rotate(g);
-    } while (g != no_index && g != mesh.outgoing(mesh.origin(h)));
+    }
     if (high > 0) largest = std::max(largest, high / low);
   }
   return std::clamp((8 - largest) / 3, 0.0, 1.0);
@@ -70,8 +68,7 @@ G2Target curvature_target(const G2Layout& layout, const FaceElements& elements,
                           const FaceReferences& references, std::span<const Vector3> positions,
                           const FaceReferences* at_sharp_edges) {
   G2Target out(layout.mesh().face_count());
-  std::vector<Index> faces(layout.mesh().face_count());
-  std::iota(faces.begin(), faces.end(), Index(0));
+  std::vector<Index> faces = ascending_indices(layout.mesh().face_count());
   for_faces_by_chart(layout, std::move(faces), [&](Index f, const ChartSamples& samples) {
     const ControlPlaces& places = layout.places(f);
     out[f].load.assign(places.unknown.size(), Vector3::Zero());

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/index_list.hpp"
 #include "core/base/solvers/least_squares.hpp"
 
 namespace hariko {
@@ -14,8 +15,7 @@ std::vector<Index> two_rings(const SphereMesh& mesh, Index site) {
   std::vector<Index> out = mesh.ring(site).neighbours;
   for (const Index k : mesh.ring(site).neighbours)
     out.insert(out.end(), mesh.ring(k).neighbours.begin(), mesh.ring(k).neighbours.end());
-  std::sort(out.begin(), out.end());
-  out.erase(std::unique(out.begin(), out.end()), out.end());
+  sort_unique(out);
   std::erase(out, site);
   return out;
 }

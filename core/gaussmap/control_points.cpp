@@ -6,7 +6,6 @@
 
 #include "core/gaussmap/bending_fill.hpp"
 #include "core/gaussmap/contact_points.hpp"
-#include "core/gaussmap/minkowski.hpp"
 #include "core/gaussmap/sphere/delaunay_refinement.hpp"
 #include "core/gaussmap/sphere/lloyd_relaxed_sites.hpp"
 #include "core/gaussmap/sphere/paper_insertion.hpp"
@@ -101,28 +100,18 @@ class Solver {
     if (cancel_.cancelled()) return make_error(e_cancelled, "The computation was cancelled.");
     const SphereMesh mesh = relaxed(insertion.mesh(), options_.relaxation);
     ControlPoints out;
-    // Newton's method begins at the umbilic fill, the method least sensitive to noise.
     auto support = linear_fill(mesh, problem_.boundary(), options_.mode == GaussMode::curvature);
     if (!support) return support.error();
     out.support = *std::move(support);
     out.triangles = mesh.triangles();
-    if (options_.mode == GaussMode::minkowski)
-      if (const Result<Done> refined = refine(mesh, out); !refined) return refined.error();
     if (cancel_.cancelled()) return make_error(e_cancelled, "The computation was cancelled.");
-    const SphereMesh faces(mesh.sites(), next_sites(mesh), out.triangles);
-    take_contacts(faces, out);
+    take_contacts(mesh, out);
     if (count == options_.most_points && insertion.largest_radius() >= smallest)
       out.messages.push_back(point_limit(count));
     return out;
   }
 
  private:
-  static std::vector<Index> next_sites(const SphereMesh& mesh) {
-    std::vector<Index> next;
-    for (Index i = 0; i < mesh.boundary_count(); ++i) next.push_back(mesh.next(i));
-    return next;
-  }
-
   void take_contacts(const SphereMesh& mesh, ControlPoints& out) const {
     out.normals = mesh.sites();
     out.boundary_count = mesh.boundary_count();
@@ -132,42 +121,8 @@ class Solver {
     }
   }
 
-  Result<Done> refine(const SphereMesh& mesh, ControlPoints& out) const {
-    std::vector<double> curvature;
-    if (options_.curvature_inside) {
-      for (const Vector3& site : mesh.sites()) curvature.push_back(curvature_inside(site));
-    } else {
-      auto closed =
-          closing_curvature(mesh, problem_.boundary(), spread_curvature(mesh, problem_.boundary().curvature));
-      if (!closed) return closed.error();
-      curvature = *std::move(closed);
-    }
-    auto made = minkowski(mesh, problem_.boundary(), out.support, curvature, options_.measure, cancel_);
-    if (!made) return made.error();
-    out.iterations = made->iterations;
-    if (made->singular) {
-      out.messages.push_back(make_warning(
-          w_singular,
-          "The areas do not determine the surface over this outline; the result is that of the mode round "
-          "(umbilic).",
-          "Tilt the normals so that the Gauss image is no hemisphere, or use the mode curvature."));
-      return Done{};
-    }
-    out.support = made->support;
-    // If corners of the polytope merge or an edge of a loop is lost, the faces of the sphere's
-    // triangulation stay.
-    if (!made->triangles.empty()) out.triangles = made->triangles;
-    return Done{};
-  }
-  double curvature_inside(const Vector3& normal) const {
-    return options_.curvature_inside(normal) * problem_.size() * problem_.size();
-  }
-
   Result<ControlPoints> by_paper(SiteInsertion& insertion, double smallest) const {
-    GaussOptions options = options_;
-    if (options.curvature_inside)
-      options.curvature_inside = [this](const Vector3& normal) { return curvature_inside(normal); };
-    auto made = insert_by_paper(insertion, problem_.boundary(), smallest, options, cancel_);
+    auto made = insert_by_paper(insertion, problem_.boundary(), smallest, options_.most_points, cancel_);
     if (!made) return made.error();
     const SphereMesh mesh = insertion.mesh();
     ControlPoints out;
@@ -285,16 +240,6 @@ std::optional<OutlinePoint> runs_away(const Outline& outline, const ControlPoint
   return outline_point(outline, nearest_boundary(result.normals, result.boundary_count, *found));
 }
 
-/// Replaces the solvers' site number in the error by the outline's point.
-Message with_point(const Outline& outline, Message error) {
-  const bool worst = error.code == e_curvature_incompatible || error.code == e_curvature_unreachable;
-  if (!worst || error.element.kind != Element::Kind::vertex) return error;
-  error.text.back() = ';';
-  error.text +=
-      " it fits least near " + to_string(outline, outline_point(outline, Index(error.element.id))) + ".";
-  return error;
-}
-
 /// Final steps of all modes. `sign`: nothing where the curvature may have any sign.
 Result<ControlPoints> finished(const Outline& outline, ControlPoints result,
                                const std::vector<Message>& messages, std::optional<CurvatureSign> sign) {
@@ -327,6 +272,12 @@ Result<ControlPoints> control_points(const Outline& outline, const GaussOptions&
         w_umbilic_used, "The normals are too rough for the curvature along the outline; it was not used.",
         "Make the normals perpendicular to the outline.", slanted->element));
   }
+  if (options.mode_replaced)
+    messages.push_back(make_warning(
+        w_outline_method,
+        "Hariko has no mode Minkowski any more; the surface inside the outline is that of the mode round "
+        "(umbilic).",
+        "Look at the surface, or choose another mode."));
   const CurvatureSign sign = curvature_sign(outline, options.sign);
   const Problem problem(outline, sign == CurvatureSign::negative);
   Solver solver(problem, options, cancel);
@@ -338,7 +289,7 @@ Result<ControlPoints> control_points(const Outline& outline, const GaussOptions&
   double radius = options.radius;
   for (;;) {
     Result<ControlPoints> made = solver.solve(radius);
-    if (!made) return with_point(outline, made.error());
+    if (!made) return made;
     ControlPoints result = std::move(made).value();
     result.gap = largest_gap(result);
     if (const double found = result.gap * problem.size(); options.gap && found > *options.gap) {

@@ -3,7 +3,6 @@
 // Control points of the surface inside an outline (gaussmap.md; Yoshida and Kunii 1991).
 
 #include <array>
-#include <functional>
 #include <optional>
 #include <vector>
 
@@ -18,16 +17,7 @@ inline constexpr Code w_result_not_convex{"W_NOT_CONVEX_RESULT"};
 inline constexpr Code w_too_many_points{"W_POINT_LIMIT"};
 inline constexpr Code w_gap{"W_GAP"};
 inline constexpr Code w_umbilic_used{"W_UMBILIC_USED"};
-
-/// Measure of a cell on the Gauss sphere (gaussmap.md 4).
-enum class CellMeasure { solid_angle, gnomonic };
-
-/// Mode paper: the facet whose area determines the plane's position (gaussmap.md 4).
-enum class PaperRule {
-  neighbour,       ///< clipped facet of the neighbour with the largest relative excess, as in the paper
-  all_neighbours,  ///< mean of the solutions of all neighbours
-  own_facet        ///< facet of the new plane
-};
+inline constexpr Code w_outline_method{"W_OUTLINE_METHOD"};
 
 struct GaussOptions {
   GaussMode mode = GaussMode::curvature;
@@ -42,10 +32,7 @@ struct GaussOptions {
   /// If set, radius is lowered until the distance between tangent planes and control points is nowhere larger
   /// than this length.
   std::optional<double> gap;
-  CellMeasure measure = CellMeasure::solid_angle;
-  PaperRule rule = PaperRule::own_facet;
-  /// Curvature at a unit normal, 1 / length^2, if known inside; modes minkowski and paper.
-  std::function<double(const Vector3&)> curvature_inside;
+  bool mode_replaced = false;  ///< adds W_OUTLINE_METHOD, see `OutlineSettings`
 };
 
 /// Control points with their tangent planes. The outline's points come first, by their numbers.

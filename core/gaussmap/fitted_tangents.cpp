@@ -16,14 +16,8 @@ using Field = std::vector<Vector3>;
 
 std::vector<Index> neighbours(const HalfEdgeMesh& mesh, Index v) {
   std::vector<Index> out;
-  if (mesh.outgoing(v) == no_index) return out;
-  for (Index h = mesh.outgoing(v);;) {
-    out.push_back(mesh.target(h));
-    const Index next = mesh.rotate(h);
-    if (next == no_index) out.push_back(mesh.origin(mesh.previous(h)));
-    if (next == no_index || next == mesh.outgoing(v)) return out;
-    h = next;
-  }
+  for (const FanEnd& each : fan_ends(mesh, v)) out.push_back(each.other);
+  return out;
 }
 
 /// Second fundamental form at v as a symmetric matrix of the tangent plane, negative where the surface bends
@@ -152,12 +146,7 @@ class TangentFit {
     double hold = 0;                 ///< weight of the squared deviation
   };
 
-  Vector3 tangent(Index end, const Field& basis) const {
-    const TangentCoefficients& of = frames_.ends[end];
-    Vector3 out = of.c[0] * basis[of.basis[0]];
-    if (of.basis[1] != no_index) out += of.c[1] * basis[of.basis[1]];
-    return out;
-  }
+  Vector3 tangent(Index end, const Field& basis) const { return tangent_image(frames_.ends[end], basis); }
 
   /// Computes y: for each free basis vector, within its plane, the sum of gradient(end, other end, number)
   /// over all ends, by the end's tangent.

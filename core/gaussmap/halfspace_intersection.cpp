@@ -6,7 +6,6 @@
 
 #include "core/base/assert.hpp"
 #include "core/base/solvers/small_solver.hpp"
-#include "core/geometry/polygon.hpp"
 
 namespace hariko {
 namespace {
@@ -67,10 +66,6 @@ Vector3 ball_centre(std::span<const Vector3> normals, std::span<const double> su
 
 }  // namespace
 
-double polygon_area(std::span<const Vector3> corners, const Vector3& normal) {
-  return newell_normal(corners).dot(normal) / 2;
-}
-
 std::optional<Vector3> inner_point(std::span<const Vector3> normals, std::span<const double> support,
                                    std::span<const Vector3> points, double size) {
   Vector3 mean = Vector3::Zero();
@@ -110,28 +105,20 @@ std::optional<TangentPolytope> TangentPolytope::build(std::span<const Vector3> n
     if (!(offset > 0)) return {};
     vertex[f] = inner + normal / offset;
     out.corners_.push_back(vertex[f]);
-    if (v[0] < count && v[1] < count && v[2] < count) out.corner_planes_.push_back(v);
     for (const Index corner : v) face_of[corner] = f;
   }
   for (Index i = 0; i < count; ++i) {
     if (face_of[i] == no_index) continue;
-    Facet& facet = out.facets_[i];
     Index f = face_of[i];
     do {
       const auto& v = faces[f].corner;
       const std::size_t k = v[0] == i ? 0 : v[1] == i ? 1 : 2;
-      facet.corners.push_back(vertex[f]);
+      out.facets_[i].push_back(vertex[f]);
       // The next face counter-clockwise round i lies beyond the edge from the previous corner to i.
-      const Index beyond = v[(k + 2) % 3];
-      facet.neighbours.push_back(beyond < count ? beyond : no_index);
       f = faces[f].neighbour[(k + 2) % 3];
     } while (f != face_of[i]);
   }
   return out;
-}
-
-double TangentPolytope::area(Index plane, const Vector3& normal) const {
-  return facets_[plane].corners.empty() ? 0 : polygon_area(facets_[plane].corners, normal);
 }
 
 Vector3 TangentPolytope::farthest(const Vector3& direction) const {

@@ -7,6 +7,7 @@
 
 #include "core/gaussmap/sphere/arc_crossings.hpp"
 #include "core/gaussmap/sphere/delaunay_refinement.hpp"
+#include "core/geometry/curve_places.hpp"
 #include "core/geometry/polygon.hpp"
 
 namespace hariko {
@@ -89,9 +90,7 @@ bool is_domain(const std::vector<Loop2>& loops) {
 
 /// Points of a circle with the spacing of the loop's points.
 Loop2 on_circle(const OutlineLoop& loop) {
-  std::vector<double> length{0};
-  for (std::size_t i = 0; i < loop.points.size(); ++i)
-    length.push_back(length.back() + (loop.points[(i + 1) % loop.points.size()] - loop.points[i]).norm());
+  const std::vector<double> length = lengths_along(loop.points, true);
   Loop2 out;
   for (std::size_t i = 0; i < loop.points.size(); ++i) {
     const double turn = 2 * std::numbers::pi * length[i] / length.back();
@@ -132,10 +131,8 @@ Result<PositionMesh> planar_mesh(const Outline& outline, const std::vector<Loop2
 /// Closed polyline parametrised by its share of the length, starting at a given place.
 class Ring {
  public:
-  Ring(std::vector<Vector3> points, double begin) : points_(std::move(points)), begin_(begin), length_{0} {
-    for (std::size_t i = 0; i < points_.size(); ++i)
-      length_.push_back(length_.back() + (points_[(i + 1) % points_.size()] - points_[i]).norm());
-  }
+  Ring(std::vector<Vector3> points, double begin)
+      : points_(std::move(points)), begin_(begin), length_(lengths_along(points_, true)) {}
   double length() const { return length_.back(); }
   Vector3 at(double share) const {
     double s = share + begin_;

@@ -1,15 +1,15 @@
 #include "core/geometry/box_tree.hpp"
 
 #include <algorithm>
-#include <numeric>
+
+#include "core/base/index_list.hpp"
 
 namespace hariko {
 
 BoxTree::BoxTree(std::span<const Eigen::AlignedBox3d> boxes, std::span<const Vector3> middles,
                  Index leaf_size)
-    : order_(boxes.size()) {
+    : order_(ascending_indices(boxes.size())) {
   HARIKO_ASSERT(boxes.size() == middles.size() && leaf_size > 0, "one middle a box");
-  std::iota(order_.begin(), order_.end(), Index{0});
   if (order_.empty()) return;
   nodes_.reserve(4 * order_.size() / leaf_size + 1);
   build(0, Index(order_.size()), boxes, middles, leaf_size);

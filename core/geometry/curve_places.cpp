@@ -11,7 +11,7 @@ namespace hariko {
 
 namespace {
 
-constexpr double least_corner_cosine = 0.8660254037844387;  ///< of 30 degrees
+constexpr double least_corner_cosine = 0.8660254037844387;  ///< cosine of 30 degrees
 /// Cosines and sines below which a whole span counts as at right angles, or as in line.
 constexpr double least_angle = 1e-4;
 constexpr double least_way = 1e-9;  ///< from `from`, of a span's distance and length
@@ -134,6 +134,14 @@ std::optional<Vector2> where_segments_cross(const Vector2& a, const Vector2& b, 
   const auto shares = where_lines_cross(a, b, c, d);
   if (!shares || shares->minCoeff() < -beyond || shares->maxCoeff() > 1 + beyond) return {};
   return Vector2(std::clamp(shares->x(), 0.0, 1.0), std::clamp(shares->y(), 0.0, 1.0));
+}
+
+std::vector<double> lengths_along(std::span<const Vector3> points, bool closed) {
+  std::vector<double> out{0};
+  const std::size_t count = points.size();
+  for (std::size_t i = 0; i + (closed ? 0 : 1) < count; ++i)
+    out.push_back(out.back() + (points[(i + 1) % count] - points[i]).norm());
+  return out;
 }
 
 double nearest_share(const Vector2& a, const Vector2& b, const Vector2& point) {

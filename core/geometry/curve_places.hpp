@@ -1,6 +1,7 @@
 #pragma once
 
-// Places on curves that a drawing catches: perpendicular feet, points of tangency, nearest points, crossings.
+// Places on curves: perpendicular feet, points of tangency, nearest points, crossings, and lengths up to
+// points.
 
 #include <optional>
 #include <span>
@@ -42,6 +43,10 @@ std::optional<Vector2> where_lines_cross(const Vector2& a, const Vector2& b, con
 /// their lengths): both fractions are within 0 .. 1.
 std::optional<Vector2> where_segments_cross(const Vector2& a, const Vector2& b, const Vector2& c,
                                             const Vector2& d);
+
+/// Lengths of a polyline from its first point to each of them; of a closed one its whole length comes last.
+/// Zero alone where it has no points. O(points).
+std::vector<double> lengths_along(std::span<const Vector3> points, bool closed = false);
 
 /// Fraction of the segment a to b where it is nearest to a point, 0 .. 1; 0 where it has no length.
 double nearest_share(const Vector2& a, const Vector2& b, const Vector2& point);

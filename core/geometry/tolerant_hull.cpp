@@ -6,6 +6,7 @@
 #include <map>
 #include <set>
 
+#include "core/base/index_list.hpp"
 #include "core/base/solvers/small_solver.hpp"
 #include "core/geometry/triangle.hpp"
 
@@ -161,8 +162,7 @@ class Quickhull {
 std::vector<Index> used(const std::vector<std::array<Index, 3>>& triangles) {
   std::vector<Index> out;
   for (const auto& t : triangles) out.insert(out.end(), t.begin(), t.end());
-  std::sort(out.begin(), out.end());
-  out.erase(std::unique(out.begin(), out.end()), out.end());
+  sort_unique(out);
   return out;
 }
 
@@ -194,8 +194,7 @@ std::vector<Index> flat_vertices(std::span<const Vector3> points,
 }  // namespace
 
 TolerantHull tolerant_hull(std::span<const Vector3> points, double tolerance) {
-  std::vector<Index> use(points.size());
-  for (Index i = 0; i < use.size(); ++i) use[i] = i;
+  std::vector<Index> use = ascending_indices(points.size());
   TolerantHull out;
   for (int round = 0; round < 8; ++round) {
     out.triangles = Quickhull(points, use, tolerance).make();

@@ -54,7 +54,6 @@ class ClosedTriangle {
 
   /// Unit normal; zero for a triangle without area.
   const Vector3& normal() const { return normal_; }
-  bool has_area() const { return flat_; }
 
   /// Squared distance of `p` to the closed triangle.
   double squared_distance(const Vector3& p) const {

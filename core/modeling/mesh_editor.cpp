@@ -86,9 +86,7 @@ std::vector<FaceId> MeshEditor::faces_at(VertexId id) const {
   const Index v = polyhedron.find(id);
   HARIKO_ASSERT(v != no_index, "the vertex must be in the draft");
   std::vector<FaceId> out;
-  Index h = topology.outgoing(v);
-  for (Index corner = 0; corner < topology.corner_count(v); ++corner, h = topology.rotate(h))
-    out.push_back(polyhedron.face_id(topology.face(h)));
+  for (const Index h : topology.fan_corners(v)) out.push_back(polyhedron.face_id(topology.face(h)));
   std::sort(out.begin(), out.end());
   return out;
 }

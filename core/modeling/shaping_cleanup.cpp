@@ -19,16 +19,10 @@ struct FanEdge {
 std::vector<FanEdge> fan_at(const Polyhedron& polyhedron, const Shaping& shaping, Index v) {
   const HalfEdgeMesh& mesh = polyhedron.topology();
   std::vector<FanEdge> fan;
-  const auto add = [&](Index h, Index other) {
+  for (const auto& [end, other] : fan_ends(mesh, v)) {
+    const Index h = end / 2;
     const bool sharp = mesh.twin(h) == no_index || shaping.crease.contains(polyhedron.edge_id(mesh.edge(h)));
     fan.push_back({polyhedron.vertex_id(other), sharp});
-  };
-  const Index first = mesh.outgoing(v);
-  for (Index h = first; h != no_index;) {
-    add(h, mesh.target(h));
-    const Index following = mesh.rotate(h);
-    if (following == no_index) add(mesh.previous(h), mesh.origin(mesh.previous(h)));
-    h = following == first ? no_index : following;
   }
   return fan;
 }

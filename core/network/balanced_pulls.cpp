@@ -28,9 +28,7 @@ class BalancedPulls::Fan {
     directions_.clear();
     const double least = shortest * frames.charts.mean_length;
     double angle = 0;
-    const Index first = mesh.outgoing(v);
-    Index h = first;
-    do {
+    for (const Index h : mesh.fan_corners(v)) {
       const Index e = mesh.edge(h);
       Direction edge;
       edge.tangent = frames.ends[2 * h];
@@ -41,8 +39,7 @@ class BalancedPulls::Fan {
       directions_.push_back(edge);
       directions_.push_back(split_edge(mesh, frames, weights, h, angle, least));
       angle += frames.step[h];
-      h = mesh.rotate(h);
-    } while (h != first);
+    }
     find_opposites();
   }
 

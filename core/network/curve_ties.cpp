@@ -28,17 +28,6 @@ TangentCoefficients times(double factor, TangentCoefficients tangent) {
   return tangent;
 }
 
-Vector3 image(const TangentCoefficients& tangent, const std::vector<Vector3>& basis) {
-  Vector3 out = tangent.c[0] * basis[tangent.basis[0]];
-  if (tangent.basis[1] != no_index) out += tangent.c[1] * basis[tangent.basis[1]];
-  return out;
-}
-
-void add_image(const TangentCoefficients& tangent, const Vector3& value, std::vector<Vector3>& out) {
-  out[tangent.basis[0]] += tangent.c[0] * value;
-  if (tangent.basis[1] != no_index) out[tangent.basis[1]] += tangent.c[1] * value;
-}
-
 /// Sum of the weights that act at each vertex, per unit length of its fan.
 std::vector<double> pulls(const HalfEdgeMesh& mesh, const VertexFrames& frames, const NetworkWeights& weights,
                           std::span<const double> beta) {
@@ -133,7 +122,8 @@ void CurveTies::add_product(Index v, const std::vector<Vector3>& x, std::vector<
   if (empty()) return;
   for (const Seen& seen : seen_[v]) {
     const Tie& tie = ties_[seen.tie];
-    add_image(tie.end[seen.own], tie.weight * (image(tie.end[0], x) + image(tie.end[1], x)), y);
+    const Vector3 sum = tangent_image(tie.end[0], x) + tangent_image(tie.end[1], x);
+    add_to_basis(tie.end[seen.own], tie.weight * sum, y);
   }
 }
 
@@ -147,7 +137,7 @@ void CurveTies::add_right_side(std::span<const Index> vertices, std::span<const 
       Vector3 goal = Vector3::Zero();
       for (std::size_t i = 0; i < tie.vertex.size(); ++i)
         goal += tie.factor[i] * (positions[tie.vertex[i]] - positions[v]);
-      add_image(tie.end[seen.own], tie.weight * goal, b);
+      add_to_basis(tie.end[seen.own], tie.weight * goal, b);
     }
 }
 

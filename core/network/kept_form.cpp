@@ -7,18 +7,6 @@
 
 namespace hariko {
 
-std::vector<FanEnd> fan_ends(const HalfEdgeMesh& mesh, Index v) {
-  std::vector<FanEnd> out;
-  const Index first = mesh.outgoing(v);
-  for (Index h = first; h != no_index;) {
-    out.push_back({2 * h, mesh.target(h)});
-    const Index following = mesh.rotate(h), last = mesh.previous(h);
-    if (following == no_index) out.push_back({2 * last + 1, mesh.origin(last)});
-    h = following == first ? no_index : following;
-  }
-  return out;
-}
-
 std::vector<Matrix3> edge_directions(const Polyhedron& polyhedron, Index v, std::span<const FanEnd> fan) {
   const HalfEdgeMesh& mesh = polyhedron.topology();
   const Vector3& p = polyhedron.position(v);

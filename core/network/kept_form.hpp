@@ -11,15 +11,6 @@
 
 namespace hariko {
 
-/// Edge of a vertex's fan: the end of a half-edge that describes it (VertexFrames), and the vertex at its
-/// other end.
-struct FanEnd {
-  Index end = no_index;
-  Index other = no_index;
-};
-/// Edges of a vertex's fan, counter-clockwise.
-std::vector<FanEnd> fan_ends(const HalfEdgeMesh& mesh, Index v);
-
 /// Coordinate frames of the edges of a fan, as columns: along the edge and at right angles to the mean normal
 /// of the corners; to the left; and that normal. Zero where an edge has no such direction.
 std::vector<Matrix3> edge_directions(const Polyhedron& polyhedron, Index v, std::span<const FanEnd> fan);

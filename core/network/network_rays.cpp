@@ -122,9 +122,7 @@ void NetworkRays::add_diagonal(Index v, Index first, Eigen::MatrixXd& block) con
 void NetworkRays::set_tangents(Index v, const std::vector<Vector3>& x, Workspace& work) const {
   for_rays(v, [&](Index h, const Ray& ray) {
     if (ray.known()) return;
-    Vector3& t = work.tangent[h];
-    t = ray.tangent.c[0] * x[ray.tangent.basis[0]];
-    if (ray.tangent.basis[1] != no_index) t += ray.tangent.c[1] * x[ray.tangent.basis[1]];
+    work.tangent[h] = tangent_image(ray.tangent, x);
   });
 }
 
@@ -143,8 +141,7 @@ void NetworkRays::add_product(Index v, const Workspace& work, std::vector<Vector
     if (ray.known()) return;
     const Vector3 end = work.split_point[mesh_->face(h)].transpose() * ray.place;
     const Vector3 gradient = ray.weight * (2 * (1 + ray.alpha) * work.tangent[h] - ray.coupling * end);
-    y[ray.tangent.basis[0]] += ray.tangent.c[0] * gradient;
-    if (ray.tangent.basis[1] != no_index) y[ray.tangent.basis[1]] += ray.tangent.c[1] * gradient;
+    add_to_basis(ray.tangent, gradient, y);
   });
 }
 
@@ -180,8 +177,7 @@ void NetworkRays::add_right_side(std::span<const Index> vertices, std::span<cons
       const Vector3 pull =
           ray.weight * (ray.coupling * (work.split_point[f].transpose() * ray.place + reach) +
                         (1 - ray.coupling) * 2 / 3 * reach);
-      b[ray.tangent.basis[0]] += ray.tangent.c[0] * pull;
-      if (ray.tangent.basis[1] != no_index) b[ray.tangent.basis[1]] += ray.tangent.c[1] * pull;
+      add_to_basis(ray.tangent, pull, b);
     });
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "core/base/index_list.hpp"
 #include "core/base/parallel.hpp"
 #include "core/base/solvers/conjugate_gradients.hpp"
 #include "core/base/solvers/dense_solver.hpp"
@@ -32,8 +33,7 @@ Result<NetworkSystem> NetworkSystem::assemble(const Polyhedron& polyhedron, cons
   system.frames_ = std::move(frames).value();
 
   const HalfEdgeMesh& mesh = *system.mesh_;
-  system.all_vertices_.resize(mesh.vertex_count());
-  std::iota(system.all_vertices_.begin(), system.all_vertices_.end(), Index(0));
+  system.all_vertices_ = ascending_indices(mesh.vertex_count());
   system.edge_ends_.resize(2 * std::size_t(mesh.edge_count()));
   system.incident_begin_.assign(mesh.vertex_count() + 1, 0);
   for (Index e = 0; e < mesh.edge_count(); ++e) {
@@ -220,10 +220,8 @@ void NetworkSystem::apply(std::span<const Index> vertices, const std::vector<Vec
   parallel_for(vertices.size(), grain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) {
       for (Index i = incident_begin_[vertices[k]]; i < incident_begin_[vertices[k] + 1]; ++i) {
-        const TangentCoefficients& tangent = edge_ends_[incident_ends_[i]];
-        Vector3 t = tangent.c[0] * x[tangent.basis[0]];
-        if (tangent.basis[1] != no_index) t += tangent.c[1] * x[tangent.basis[1]];
-        work.end_tangents[incident_ends_[i]] = t;
+        const Index at = incident_ends_[i];
+        work.end_tangents[at] = tangent_image(edge_ends_[at], x);
       }
       if (!rays_.empty()) rays_.set_tangents(vertices[k], x, work.rays);
     }
@@ -236,13 +234,11 @@ void NetworkSystem::apply(std::span<const Index> vertices, const std::vector<Vec
       for (Index b = frames_.basis_begin[v]; b < frames_.basis_begin[v + 1]; ++b) y[b].setZero();
       for (Index i = incident_begin_[v]; i < incident_begin_[v + 1]; ++i) {
         const Index at = incident_ends_[i];
-        const TangentCoefficients& tangent = edge_ends_[at];
         const double beta = beta_[at / 2];
         const Vector3 gradient =
             edge_weight_[at / 2] * (2 * (beta + alpha_[v]) * work.end_tangents[at] -
                                     balanced_.of_edge(at / 2) * beta * work.end_tangents[at ^ 1U]);
-        y[tangent.basis[0]] += tangent.c[0] * gradient;
-        if (tangent.basis[1] != no_index) y[tangent.basis[1]] += tangent.c[1] * gradient;
+        add_to_basis(edge_ends_[at], gradient, y);
       }
       if (!rays_.empty()) rays_.add_product(v, work.rays, y);
       ties_.add_product(v, x, y);
@@ -306,9 +302,7 @@ std::vector<Vector3> NetworkSystem::right_side(std::span<const Index> vertices,
       // D has the same weight as both tangents of a straight edge together.
       const double share = (2 + balanced_.of_edge(at / 2)) / 3;
       const Vector3 pull = edge_weight_[at / 2] * beta_[at / 2] * share * (positions[other] - positions[v]);
-      const TangentCoefficients& tangent = edge_ends_[at];
-      b[tangent.basis[0]] += tangent.c[0] * pull;
-      if (tangent.basis[1] != no_index) b[tangent.basis[1]] += tangent.c[1] * pull;
+      add_to_basis(edge_ends_[at], pull, b);
     }
   rays_.add_right_side(vertices, positions, b);
   balanced_.add_right_side(*mesh_, vertices, positions, b);
@@ -412,13 +406,8 @@ NetworkSystem::Solution NetworkSystem::solve(std::span<const Vector3> positions,
 }
 
 std::pair<Vector3, Vector3> NetworkSystem::tangents(Index half_edge, std::span<const Vector3> basis) const {
-  const auto at = [&](Index end) {
-    const TangentCoefficients& tangent = frames_.ends[end];
-    Vector3 t = tangent.c[0] * basis[tangent.basis[0]];
-    if (tangent.basis[1] != no_index) t += tangent.c[1] * basis[tangent.basis[1]];
-    return t;
-  };
-  return {at(2 * half_edge), at(2 * half_edge + 1)};
+  return {tangent_image(frames_.ends[2 * half_edge], basis),
+          tangent_image(frames_.ends[2 * half_edge + 1], basis)};
 }
 
 Network NetworkSystem::network(const Solution& solution, std::span<const Vector3> positions) const {

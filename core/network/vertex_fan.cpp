@@ -25,15 +25,11 @@ std::vector<std::pair<std::size_t, std::size_t>> parts_between(const Fan& fan,
 Fan fan_of(const HalfEdgeMesh& mesh, Index v) {
   Fan fan;
   fan.closed = !mesh.is_border_vertex(v);
-  const Index first = mesh.outgoing(v);
-  Index h = first;
-  do {
+  for (const Index h : mesh.fan_corners(v)) {
     fan.edges.push_back({h, true});
     fan.corners.push_back(h);
-    const Index following = mesh.rotate(h);
-    if (following == no_index) fan.edges.push_back({mesh.previous(h), false});
-    h = following;
-  } while (h != no_index && h != first);
+    if (mesh.rotate(h) == no_index) fan.edges.push_back({mesh.previous(h), false});
+  }
   return fan;
 }
 

@@ -19,6 +19,19 @@ struct TangentCoefficients {
   std::array<Index, 2> basis{no_index, no_index};
   std::array<double, 2> c{0, 0};
 };
+/// Tangent for given basis vectors; it must have at least one of them.
+inline Vector3 tangent_image(const TangentCoefficients& tangent, std::span<const Vector3> basis) {
+  Vector3 out = tangent.c[0] * basis[tangent.basis[0]];
+  if (tangent.basis[1] != no_index) out += tangent.c[1] * basis[tangent.basis[1]];
+  return out;
+}
+/// Adds a gradient by a tangent to those by its basis vectors, of which it must have at least one: the
+/// transpose of `tangent_image`.
+inline void add_to_basis(const TangentCoefficients& tangent, const Vector3& gradient,
+                         std::span<Vector3> out) {
+  out[tangent.basis[0]] += tangent.c[0] * gradient;
+  if (tangent.basis[1] != no_index) out[tangent.basis[1]] += tangent.c[1] * gradient;
+}
 
 /// Kind of vertex, by the rows of the table in kuriyama.md section 2.1.
 enum class FrameKind : std::uint8_t { isolated, smooth, straight, sharp_line, corner };

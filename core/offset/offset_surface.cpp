@@ -1,7 +1,5 @@
 #include "core/offset/offset_surface.hpp"
 
-#include <array>
-#include <charconv>
 #include <cmath>
 #include <memory>
 #include <span>
@@ -17,28 +15,16 @@ Message offset_cancelled() {
   return make_error(e_cancelled, "The offset was cancelled.");
 }
 
-/// Length for a sentence, to four digits.
-std::string length_text(double value) {
-  std::array<char, 32> text;
-  const auto end =
-      std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, 4);
-  return {text.data(), end.ptr};
-}
-
-std::string counted(std::size_t count, const char* one, const char* many) {
-  return std::to_string(count) + (count == 1 ? one : many);
-}
-
 /// Warning about the folds of one offset; the lengths are multiplied by `scale` in the text.
 Message fold_warning(const Surface& base, const OffsetFolds& folds, double distance, double scale) {
   const bool outside = distance > 0;
   const double radius = outside ? folds.outside : folds.inside;
   return make_warning(
       w_offset_folds,
-      "At the distance " + length_text(scale * distance) + " the surface folds over itself in " +
+      "At the distance " + rounded_text(scale * distance, 4) + " the surface folds over itself in " +
           counted(folds.patches, " patch", " patches") + ": it bends with a radius of " +
-          length_text(scale * radius) + " there.",
-      "Choose a distance below " + length_text(scale * radius) +
+          rounded_text(scale * radius, 4) + " there.",
+      "Choose a distance below " + rounded_text(scale * radius, 4) +
           (outside ? " to the outside" : " to the inside") + ", or make the surface rounder there.",
       base.provenance()[folds.worst].element);
 }
@@ -94,17 +80,6 @@ Result<OffsetSurface> layered(const Surface& surface, std::vector<double> layers
 }
 
 }  // namespace
-
-Result<OffsetSurface> offset_surface(const Surface& surface, double distance, const CancelToken& cancel) {
-  return layered(surface, {distance}, 1, cancel);
-}
-
-Result<OffsetSurface> shell_surface(const Surface& surface, double outer, double inner,
-                                    const CancelToken& cancel) {
-  if (!(outer > inner))
-    return make_error(e_offset_distance, "A wall needs a thickness above 0.", "Type a length above 0.");
-  return layered(surface, {outer, inner}, 1, cancel);
-}
 
 Result<OffsetSurface> wall_surface(const Surface& surface, const Wall& wall, double scale,
                                    const CancelToken& cancel) {

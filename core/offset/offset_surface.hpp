@@ -50,21 +50,15 @@ struct OffsetSurface {
   std::vector<Message> warnings;
 };
 
-/// Surface at a distance, positive outside: p + d n. Sharp edges are joined by parts of tubes round them and
-/// their corners by parts of spheres, so that on the wide side every point has exactly the distance. On the
-/// narrow side these cross the surface, and beyond a radius of curvature the surface folds; neither is
-/// trimmed but told. Errors: E_OFFSET_DISTANCE, E_OFFSET_NOTHING, E_OFFSET_EDGE where two patches meet back
-/// to back, E_CANCELLED. O(patches).
-Result<OffsetSurface> offset_surface(const Surface& surface, double distance, const CancelToken& cancel = {});
-
-/// Body between the offsets at two distances, outer > inner: both of them, and ruled strips along the
-/// surface's border. Closed and oriented where the surface has seams or borders everywhere and there are no
-/// gaps. Errors: as `offset_surface`.
-Result<OffsetSurface> shell_surface(const Surface& surface, double outer, double inner,
-                                    const CancelToken& cancel = {});
-
-/// Offset or shell that a wall describes; lengths divided by `scale` are those of the surface. Errors: as
-/// `offset_surface`; E_OFFSET_DISTANCE also for negative thickness.
+/// Offset or shell that a wall describes; lengths divided by `scale` are those of the surface.
+/// Without a thickness: the surface at a distance, p + d n. Sharp edges are joined by parts of tubes round
+/// them and their corners by parts of spheres, so that on the wide side every point has exactly the distance.
+/// On the narrow side these cross the surface, and beyond a radius of curvature the surface folds; neither is
+/// trimmed but told.
+/// With a thickness: the body between two such offsets, with ruled strips along the surface's border. Closed
+/// and oriented where the surface has seams or borders everywhere and there are no gaps.
+/// Errors: E_OFFSET_DISTANCE (not finite, or a negative thickness), E_OFFSET_NOTHING, E_OFFSET_EDGE where two
+/// patches meet back to back, E_CANCELLED. O(patches).
 Result<OffsetSurface> wall_surface(const Surface& surface, const Wall& wall, double scale = 1,
                                    const CancelToken& cancel = {});
 

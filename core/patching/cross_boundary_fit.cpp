@@ -7,6 +7,7 @@
 #include <set>
 #include <span>
 
+#include "core/base/index_list.hpp"
 #include "core/base/solvers/dense_solver.hpp"
 #include "core/base/solvers/least_squares.hpp"
 #include "core/patching/quartic/quartic_basis.hpp"
@@ -200,8 +201,7 @@ class Fit {
 
 /// Number of the first of all points that coincide in a closed net, for each point.
 std::vector<Index> same_points(const BicubicNet& net) {
-  std::vector<Index> out(net.points.size());
-  for (Index p = 0; p < out.size(); ++p) out[p] = p;
+  std::vector<Index> out = ascending_indices(net.points.size());
   bool closed_s = true, closed_t = true;
   for (Index j = 0; j < net.height(); ++j) closed_s = closed_s && net.at(0, j) == net.at(net.width() - 1, j);
   for (Index i = 0; i < net.width(); ++i) closed_t = closed_t && net.at(i, 0) == net.at(i, net.height() - 1);

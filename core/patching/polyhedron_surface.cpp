@@ -2,8 +2,8 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <numeric>
 
+#include "core/base/index_list.hpp"
 #include "core/patching/fair/drag_response.hpp"
 #include "core/patching/g2_surface.hpp"
 #include "core/patching/joins/g2_joins.hpp"
@@ -398,9 +398,8 @@ std::optional<QuarticPatchArray> PolyhedronSurfacer::State::fair_patches(
     const std::vector<Vector3>& positions, const Network& network, const JoinGeometry& joined,
     const FairSystem::SolveOptions& options, const CancelToken& cancel, SolveReport& report) {
   const HalfEdgeMesh& mesh = *system->mesh;
-  std::vector<Index> faces(mesh.face_count()), vertices(mesh.vertex_count());
-  std::iota(faces.begin(), faces.end(), Index(0));
-  std::iota(vertices.begin(), vertices.end(), Index(0));
+  const std::vector<Index> faces = ascending_indices(mesh.face_count()),
+                           vertices = ascending_indices(mesh.vertex_count());
   std::vector<QuarticPatch> patches(mesh.half_edge_count());
   auto fair = build_patches(*system, positions, network, {faces, vertices}, options, cancel, patches, joined,
                             system->rims);
@@ -422,7 +421,6 @@ Result<PolyhedronSurface> PolyhedronSurfacer::State::solve(const PolyhedronSurfa
   auto solution = solve_network(positions, quality, joined);
   if (!solution) return solution.error();
   PolyhedronSurface out;
-  out.report.network_iterations = solution->iterations;
   auto network = std::make_shared<Network>(system->network.network(*solution, positions));
   last_basis = std::move(solution->basis);
   if (cancel.cancelled()) return cancelled();

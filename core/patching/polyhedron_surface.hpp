@@ -24,7 +24,6 @@ inline constexpr Code w_fold{"W_FOLD"};
 
 /// Solver statistics of a surface, as recorded in reproducible files.
 struct SolveReport {
-  int network_iterations = 0;
   int fair_iterations = 0;
   bool fair_converged = true;
   int g2_iterations = 0;

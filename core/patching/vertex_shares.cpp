@@ -8,6 +8,7 @@
 #include <tuple>
 #include <utility>
 
+#include "core/base/index_list.hpp"
 #include "core/base/parallel.hpp"
 #include "core/patching/quartic/quartic_patch.hpp"
 #include "core/patching/surface_system.hpp"
@@ -106,9 +107,8 @@ std::optional<QuarticPatchArray> patches_of(const SurfaceSystem& system, std::sp
   network.end.assign(mesh.half_edge_count(), Vector3::Zero());
   for (Index h = 0; h < mesh.half_edge_count(); ++h)
     std::tie(network.start[h], network.end[h]) = system.network.tangents(h, solution.basis);
-  std::vector<Index> faces(mesh.face_count()), vertices(mesh.vertex_count());
-  std::iota(faces.begin(), faces.end(), Index(0));
-  std::iota(vertices.begin(), vertices.end(), Index(0));
+  const std::vector<Index> faces = ascending_indices(mesh.face_count()),
+                           vertices = ascending_indices(mesh.vertex_count());
   FairSystem::SolveOptions fair;
   fair.tolerance = share_tolerance;
   std::vector<QuarticPatch> patches(mesh.half_edge_count());

@@ -51,4 +51,12 @@ void EdgeTable::sort_bucket(Index begin, Index end) {
   }
 }
 
+std::vector<Index> faces_of_corners(const PolygonMesh& mesh) {
+  std::vector<Index> out(mesh.face_vertices.size());
+  for (std::size_t f = 0; f < mesh.face_count(); ++f)
+    std::fill(out.begin() + mesh.face_offsets[f], out.begin() + mesh.face_offsets[f + 1],
+              static_cast<Index>(f));
+  return out;
+}
+
 }  // namespace hariko

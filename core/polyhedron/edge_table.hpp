@@ -45,6 +45,9 @@ class EdgeTable {
   std::vector<EdgeUse> uses_;
 };
 
+/// Face of each corner. O(corners).
+std::vector<Index> faces_of_corners(const PolygonMesh& mesh);
+
 /// Whether an edge is manifold: one face, or two that traverse it in opposite directions.
 inline bool is_manifold_edge(const PolygonMesh& mesh, std::span<const EdgeUse> uses) {
   return uses.size() == 1 ||

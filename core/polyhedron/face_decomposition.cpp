@@ -3,9 +3,9 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "core/base/assert.hpp"
+#include "core/base/index_list.hpp"
 #include "core/geometry/polygon.hpp"
 
 namespace hariko {
@@ -36,8 +36,7 @@ std::vector<Vector2> in_mean_plane(std::span<const Vector3> corners) {
 class EarClipper {
  public:
   EarClipper(std::span<const Vector3> corners, const MayJoin& may_join)
-      : points_(in_mean_plane(corners)), may_join_(may_join), ring_(corners.size()) {
-    std::iota(ring_.begin(), ring_.end(), Index{0});
+      : points_(in_mean_plane(corners)), may_join_(may_join), ring_(ascending_indices(corners.size())) {
     ears_.resize(ring_.size());
     for (std::size_t i = 0; i < ring_.size(); ++i) judge(i);
   }
@@ -179,11 +178,7 @@ std::optional<std::vector<std::vector<Index>>> convex_pieces(std::span<const Vec
                                                              const MayJoin& may_join) {
   const FaceShape shape = classify_face(corners);
   if (shape == FaceShape::self_crossing) return std::nullopt;
-  if (shape == FaceShape::convex) {
-    std::vector<Index> whole(corners.size());
-    std::iota(whole.begin(), whole.end(), Index{0});
-    return std::vector<std::vector<Index>>{std::move(whole)};
-  }
+  if (shape == FaceShape::convex) return std::vector<std::vector<Index>>{ascending_indices(corners.size())};
   const auto triangles = triangles_of(corners, may_join);
   if (!triangles) return std::nullopt;
   return joined_to_convex(corners, *triangles);

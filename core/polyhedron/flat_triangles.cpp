@@ -3,13 +3,13 @@
 #include <array>
 #include <cmath>
 #include <map>
-#include <numeric>
 #include <optional>
 #include <set>
 #include <span>
 #include <utility>
 #include <vector>
 
+#include "core/base/index_list.hpp"
 #include "core/polyhedron/join_corners.hpp"
 
 namespace hariko {
@@ -97,10 +97,13 @@ class FlatRemover {
       if (face[k] == from && face[(k + 1) % face.size()] == to) return true;
     return false;
   }
-  /// Other faces at an edge of a face.
+  /// Other faces at an edge of a face, at most three of them: an edge with so many is not repaired.
   std::vector<std::size_t> others(std::size_t f, Index a, Index b) const {
-    std::vector<std::size_t> out = users_.at(edge_of(a, b));
-    std::erase(out, f);
+    std::vector<std::size_t> out;
+    for (const std::size_t user : users_.at(edge_of(a, b))) {
+      if (user != f) out.push_back(user);
+      if (out.size() == 3) break;
+    }
     return out;
   }
 
@@ -163,8 +166,7 @@ TidyMesh drop_flat_triangles(const PolygonMesh& mesh) {
     out.mesh = mesh;
   else
     out = remover.run();
-  out.vertex_of.resize(mesh.positions.size());
-  std::iota(out.vertex_of.begin(), out.vertex_of.end(), Index{0});
+  out.vertex_of = ascending_indices(mesh.positions.size());
   return out;
 }
 

@@ -91,13 +91,8 @@ bool HalfEdgeMesh::find_fans(Index vertex_count) {
 }
 
 Index HalfEdgeMesh::find_half_edge(Index a, Index b) const {
-  const Index start = outgoing_[a];
-  Index h = start;
-  while (h != no_index) {
+  for (const Index h : fan_corners(a))
     if (target(h) == b) return h;
-    h = rotate(h);
-    if (h == start) break;
-  }
   return no_index;
 }
 
@@ -137,6 +132,16 @@ Index HalfEdgeMesh::border_loop_count() const {
 
 bool operator==(const HalfEdgeMesh& a, const HalfEdgeMesh& b) {
   return a.vertex_count() == b.vertex_count() && a.face_offsets_ == b.face_offsets_ && a.origin_ == b.origin_;
+}
+
+std::vector<FanEnd> fan_ends(const HalfEdgeMesh& mesh, Index v) {
+  std::vector<FanEnd> out;
+  for (const Index h : mesh.fan_corners(v)) {
+    out.push_back({2 * h, mesh.target(h)});
+    const Index last = mesh.previous(h);
+    if (mesh.rotate(h) == no_index) out.push_back({2 * last + 1, mesh.origin(last)});
+  }
+  return out;
 }
 
 }  // namespace hariko

@@ -2,6 +2,7 @@
 
 // HalfEdgeMesh: the connectivity of a manifold polygon mesh, without positions. Immutable.
 
+#include <iterator>
 #include <span>
 #include <vector>
 
@@ -22,6 +23,33 @@ namespace hariko {
 /// ...
 class HalfEdgeMesh {
  public:
+  /// Corners of a fan for range-based loops; valid as long as the mesh.
+  class FanCorners {
+   public:
+    class Iterator {
+     public:
+      Iterator(const HalfEdgeMesh& mesh, Index first) : mesh_(&mesh), first_(first), at_(first) {}
+      Index operator*() const { return at_; }
+      Iterator& operator++() {
+        at_ = mesh_->rotate(at_);
+        if (at_ == first_) at_ = no_index;
+        return *this;
+      }
+      friend bool operator==(const Iterator& at, std::default_sentinel_t) { return at.at_ == no_index; }
+
+     private:
+      const HalfEdgeMesh* mesh_;
+      Index first_, at_;
+    };
+    FanCorners(const HalfEdgeMesh& mesh, Index first) : mesh_(&mesh), first_(first) {}
+    Iterator begin() const { return {*mesh_, first_}; }
+    std::default_sentinel_t end() const { return {}; }
+
+   private:
+    const HalfEdgeMesh* mesh_;
+    Index first_;
+  };
+
   /// Builds from polygons. Errors: E_NO_FACES, E_INDEX_RANGE, E_FACE_TOO_SMALL, E_FACE_REPEATED_VERTEX,
   /// E_EDGE_NONMANIFOLD_OR_FLIPPED, E_VERTEX_NONMANIFOLD; elements are dense indices. O(corners).
   static Result<HalfEdgeMesh> build(const PolygonMesh& mesh);
@@ -53,6 +81,8 @@ class HalfEdgeMesh {
   Index outgoing(Index v) const { return outgoing_[v]; }
   /// Next outgoing half-edge counter-clockwise, no_index at the end of an open fan.
   Index rotate(Index h) const { return twin_[previous(h)]; }
+  /// Corners of v's fan in order, as the half-edges that leave v; none for an isolated vertex.
+  FanCorners fan_corners(Index v) const { return {*this, outgoing_[v]}; }
   bool is_border_vertex(Index v) const { return outgoing_[v] != no_index && twin_[outgoing_[v]] == no_index; }
   Index corner_count(Index v) const { return corner_count_[v]; }
   /// Number of edges at v: corners, plus one on an open fan.
@@ -79,5 +109,14 @@ class HalfEdgeMesh {
   bool find_fans(Index vertex_count);
   std::vector<Index> face_offsets_, origin_, face_, edge_, twin_, outgoing_, corner_count_, edge_half_edge_;
 };
+
+/// Edge of a vertex's fan: an end of a half-edge on it (end 2h is half-edge h at its origin, end 2h + 1 is h
+/// at its target), and the vertex at its other end.
+struct FanEnd {
+  Index end = no_index;
+  Index other = no_index;
+};
+/// Edges of a vertex's fan, counter-clockwise. O(valence).
+std::vector<FanEnd> fan_ends(const HalfEdgeMesh& mesh, Index v);
 
 }  // namespace hariko

@@ -2,9 +2,10 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <numeric>
+#include <cmath>
 #include <utility>
 
+#include "core/base/index_list.hpp"
 #include "core/polyhedron/edge_table.hpp"
 #include "core/polyhedron/face_check.hpp"
 #include "core/polyhedron/mesh_errors.hpp"
@@ -14,12 +15,6 @@
 namespace hariko {
 
 namespace {
-
-std::vector<Index> own_numbers(const PolygonMesh& mesh) {
-  std::vector<Index> out(mesh.positions.size());
-  std::iota(out.begin(), out.end(), Index{0});
-  return out;
-}
 
 bool is_sound(const PolygonMesh& mesh) {
   return connectivity_errors(mesh, 1).empty();
@@ -43,7 +38,7 @@ std::vector<char> open_vertices(const PolygonMesh& mesh, bool& loose) {
 
 /// Target of each vertex: itself, or for an open vertex the first open vertex near it.
 std::vector<Index> targets_of(const PolygonMesh& mesh, double distance, bool& loose) {
-  std::vector<Index> out = own_numbers(mesh);
+  std::vector<Index> out = ascending_indices(mesh.positions.size());
   const std::vector<Index> all = representatives(mesh.positions, distance);
   if (all == out) return out;  // the usual case
   const std::vector<char> open = open_vertices(mesh, loose);
@@ -62,8 +57,7 @@ std::vector<Index> targets_of(const PolygonMesh& mesh, double distance, bool& lo
 /// Corners without consecutive repetitions, which joined neighbours leave. Empty where fewer than three
 /// remain.
 std::vector<Index> without_repeats(std::vector<Index> corners) {
-  corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
-  while (corners.size() > 1 && corners.front() == corners.back()) corners.pop_back();
+  remove_repeats(corners);
   if (corners.size() < 3) corners.clear();
   return corners;
 }
@@ -112,9 +106,35 @@ double used_size(const PolygonMesh& mesh) {
   return box.isEmpty() ? 0 : box.diagonal().norm();
 }
 
+double median_side(const PolygonMesh& mesh) {
+  constexpr std::size_t sample = 65'536;
+  const std::size_t step = mesh.face_vertices.size() / sample + 1;
+  std::vector<double> lengths;
+  std::size_t f = 0;
+  for (std::size_t h = 0; h < mesh.face_vertices.size(); h += step) {
+    while (h >= mesh.face_offsets[f + 1]) ++f;
+    const std::size_t next = h + 1 == mesh.face_offsets[f + 1] ? mesh.face_offsets[f] : h + 1;
+    const Index a = mesh.face_vertices[h], b = mesh.face_vertices[next];
+    if (std::max(a, b) >= mesh.positions.size()) continue;
+    const double length = (mesh.positions[b] - mesh.positions[a]).norm();
+    if (length > 0 && std::isfinite(length)) lengths.push_back(length);
+  }
+  if (lengths.empty()) return 0;
+  const auto middle = lengths.begin() + std::ptrdiff_t(lengths.size() / 2);
+  std::nth_element(lengths.begin(), middle, lengths.end());
+  return *middle;
+}
+
+double joining_distance(const PolygonMesh& mesh) {
+  constexpr double share = 0.1;  // share of the median side
+  const double usual = usual_joining_distance * used_size(mesh), side = median_side(mesh);
+  return side > 0 ? std::min(usual, share * side) : usual;
+}
+
 TidyMesh join_corners(const PolygonMesh& mesh, double distance) {
   bool loose = false;
-  const std::vector<Index> itself = own_numbers(mesh), target = targets_of(mesh, distance, loose);
+  const std::vector<Index> itself = ascending_indices(mesh.positions.size()),
+                           target = targets_of(mesh, distance, loose);
   TidyMesh joined = moved_to(mesh, target);
   if (joined.joined == 0) return joined;
   CutKeyholes whole =

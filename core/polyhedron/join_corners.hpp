@@ -27,6 +27,12 @@ inline constexpr double loose_joining_distance = 1e-3;
 
 /// Size of a mesh: the diagonal of the bounding box of the vertices that faces use.
 double used_size(const PolygonMesh& mesh);
+/// Median length of the sides of faces, of those that have a length; of many sides a sample. 0 where there is
+/// none. O(corners).
+double median_side(const PolygonMesh& mesh);
+/// Joining distance of a mesh where none is chosen: `usual_joining_distance` of its size, but at most a tenth
+/// of the median side, as stray parts far away make the size large.
+double joining_distance(const PolygonMesh& mesh);
 
 /// Joins vertices on open boundaries that are at most `distance` apart (a length >= 0; 0 joins equal
 /// positions). Vertices round which faces already close stay as they are, so bodies that touch are not

@@ -71,11 +71,13 @@ double zero_length(const Checked& mesh) {
   return std::isfinite(size) ? 1e-12 * size : 0;
 }
 
+/// Warns of vertices on borders only. Where faces close round a vertex a weld closes nothing: bodies that
+/// touch, and a body that touches itself, are kept apart there on purpose (`separate_bodies`).
 void warn_duplicates(const Checked& mesh, double zero) {
   std::vector<Index> used;
   std::vector<Vector3> points;
   for (Index v = 0; v < mesh.topology.vertex_count(); ++v) {
-    if (mesh.topology.outgoing(v) == no_index) continue;
+    if (!mesh.topology.is_border_vertex(v)) continue;
     used.push_back(v);
     points.push_back(mesh.positions[v]);
   }

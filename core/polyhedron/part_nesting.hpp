@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/base/vector.hpp"
+#include "core/geometry/box_tree.hpp"
 #include "core/geometry/winding_tree.hpp"
 
 namespace hariko {
@@ -20,8 +21,8 @@ class PartNesting {
   /// Closed parts as triangles of one orientation each; positions must outlive it.
   PartNesting(std::span<const Vector3> positions, std::vector<Triangles> parts);
 
-  /// Parts round a part, the one with the largest box first. O(parts), and O(n log n) once for each part
-  /// whose box holds that of another one.
+  /// Parts round a part, the one with the largest box first. O(log parts) where few boxes overlap, and
+  /// O(n log n) once for each part whose box holds that of another one.
   std::vector<Index> around(Index part);
 
  private:
@@ -30,7 +31,9 @@ class PartNesting {
   std::span<const Vector3> positions_;
   std::vector<Triangles> parts_;
   std::vector<Eigen::AlignedBox3d> boxes_;
-  std::vector<Index> by_size_;                       ///< largest box first
+  std::vector<Index> rank_;                          ///< by part: place in the order of the boxes' sizes
+  std::vector<Index> held_;                          ///< parts with triangles
+  BoxTree tree_of_boxes_;                            ///< over the boxes of these
   std::vector<std::unique_ptr<WindingTree>> trees_;  ///< made when they are needed
 };
 

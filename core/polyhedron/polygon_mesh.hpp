@@ -2,6 +2,8 @@
 
 // PolygonMesh: the content of a mesh file, positions and polygons, unchecked.
 
+#include <algorithm>
+#include <cstddef>
 #include <initializer_list>
 #include <span>
 #include <vector>
@@ -27,5 +29,15 @@ struct PolygonMesh {
   }
   void add_face(std::initializer_list<Index> vertices) { add_face({vertices.begin(), vertices.size()}); }
 };
+
+/// Turns all faces round, so that they look the other way; their first corners stay. O(corners).
+inline void reverse_faces(PolygonMesh& mesh) {
+  const auto corner = [&](std::size_t place) {
+    return mesh.face_vertices.begin() + static_cast<std::ptrdiff_t>(place);
+  };
+  for (std::size_t f = 0; f < mesh.face_count(); ++f)
+    if (!mesh.face(f).empty())
+      std::reverse(corner(mesh.face_offsets[f] + 1), corner(mesh.face_offsets[f + 1]));
+}
 
 }  // namespace hariko

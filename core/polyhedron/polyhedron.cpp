@@ -108,6 +108,12 @@ PolygonMesh Polyhedron::to_mesh() const {
   return mesh;
 }
 
+std::vector<Vector3> Polyhedron::corners(Index face) const {
+  std::vector<Vector3> out;
+  for (const Index v : topology_->face_vertices(face)) out.push_back(position(v));
+  return out;
+}
+
 bool operator==(const Polyhedron& a, const Polyhedron& b) {
   return (a.topology_ == b.topology_ || *a.topology_ == *b.topology_) &&
          (a.vertex_ids_ == b.vertex_ids_ || *a.vertex_ids_ == *b.vertex_ids_) &&

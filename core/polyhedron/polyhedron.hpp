@@ -39,6 +39,8 @@ class Polyhedron {
 
   const Vector3& position(Index v) const { return positions_[v]; }
   std::vector<Vector3> positions() const { return positions_.to_vector(); }
+  /// Positions of the corners of a face, in order.
+  std::vector<Vector3> corners(Index face) const;
 
   VertexId vertex_id(Index v) const { return (*vertex_ids_)[v]; }
   FaceId face_id(Index f) const { return (*face_ids_)[f]; }

@@ -38,8 +38,9 @@ struct SeparatedBodies {
 /// Separates bodies that touch along edges or in points, where this makes the whole mesh manifold and leaves
 /// nothing open: at edges with more than two faces the two sides are paired that ordinary edges connect to
 /// one body, and the others with their neighbours in angle, the inside between them, where that makes closed
-/// bodies with their faces outside. Nothing where there is nothing to separate, or that is impossible.
-/// O(corners) expected.
+/// bodies that are no two sides of a sheet; where a body touches itself so that the edge would remain one,
+/// the outside between them. Nothing where there is nothing to separate, or that is impossible. O(corners)
+/// expected, times the edges with more than two faces at a vertex.
 std::optional<SeparatedBodies> separate_bodies(const PolygonMesh& mesh);
 
 /// Pairs sides as `separate_bodies` does wherever it is possible, and gives the others at edges with more
@@ -85,10 +86,10 @@ struct Repaired {
 };
 
 /// Makes a mesh manifold by all of these repairs in turn, so that `Polyhedron::build` accepts the result:
-/// vertices nearer than 1e-6 of the diagonal of the box are merged, unusable faces dropped, the others
-/// oriented, faces with holes cut, bodies that touch separated, and parts that are still not manifold cut
-/// apart. A manifold mesh without near vertices is returned unchanged except for unused vertices. Errors:
-/// E_NO_FACES when no face is left, E_NONFINITE when a used position is not finite.
+/// vertices nearer than `joining_distance` are merged, unusable faces dropped, the others oriented, faces
+/// with holes cut, bodies that touch separated, and parts that are still not manifold cut apart. A manifold
+/// mesh without near vertices is returned unchanged except for unused vertices. Errors: E_NO_FACES when no
+/// face is left, E_NONFINITE when a used position is not finite.
 Result<Repaired> make_manifold(const PolygonMesh& mesh);
 
 }  // namespace hariko

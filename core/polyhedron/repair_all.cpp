@@ -1,7 +1,7 @@
 // make_manifold: the repairs, in an order in which each prepares the next.
 
-#include <Eigen/Geometry>
 #include <algorithm>
+#include <map>
 #include <set>
 #include <string>
 #include <utility>
@@ -9,6 +9,7 @@
 #include "core/base/ids.hpp"
 #include "core/polyhedron/edge_table.hpp"
 #include "core/polyhedron/face_check.hpp"
+#include "core/polyhedron/join_corners.hpp"
 #include "core/polyhedron/repair.hpp"
 #include "core/polyhedron/validation.hpp"
 
@@ -16,18 +17,24 @@ namespace hariko {
 
 namespace {
 
-constexpr double near = 1e-6;  // relative to the diagonal of the bounding box of all used vertices
-
-/// Appends the loops of a vertex cycle, which is cut wherever it returns to a vertex.
+/// Appends the loops of a vertex cycle, which is cut wherever it returns to a vertex. O(n log n).
 void add_rounds(std::span<const Index> face, PolygonMesh& out) {
-  std::vector<Index> open;
+  std::vector<Index> open(face.begin(), face.end());
+  std::sort(open.begin(), open.end());
+  if (std::adjacent_find(open.begin(), open.end()) == open.end()) {  // the usual case
+    if (face.size() >= 3) out.add_face(face);
+    return;
+  }
+  open.clear();
+  std::map<Index, std::size_t> place;  // places of the vertices in `open`
   for (const Index v : face) {
-    const auto before = std::find(open.begin(), open.end(), v);
-    if (before != open.end()) {
-      const std::vector<Index> round(before, open.end());
-      open.erase(before, open.end());
+    if (const auto before = place.find(v); before != place.end()) {
+      const std::vector<Index> round(open.begin() + std::ptrdiff_t(before->second), open.end());
+      open.resize(before->second);
+      for (const Index w : round) place.erase(w);
       if (round.size() >= 3) out.add_face(round);
     }
+    place.emplace(v, open.size());
     open.push_back(v);
   }
   if (open.size() >= 3) out.add_face(open);
@@ -65,10 +72,7 @@ PolygonMesh with_faces(const PolygonMesh& mesh, Keep&& keep) {
 /// Elsewhere two faces back to back form a closed surface, which stays.
 PolygonMesh without_doubles(const PolygonMesh& mesh) {
   std::vector<char> crowded(mesh.face_count(), 0);
-  std::vector<Index> face_of(mesh.face_vertices.size());
-  for (std::size_t f = 0; f < mesh.face_count(); ++f)
-    std::fill(face_of.begin() + mesh.face_offsets[f], face_of.begin() + mesh.face_offsets[f + 1],
-              static_cast<Index>(f));
+  const std::vector<Index> face_of = faces_of_corners(mesh);
   EdgeTable(mesh, sound_faces(mesh)).for_each_edge([&](Index, Index, std::span<const EdgeUse> uses) {
     if (uses.size() <= 2) return;
     for (const EdgeUse& use : uses) crowded[face_of[use.corner]] = 1;
@@ -80,13 +84,6 @@ PolygonMesh without_doubles(const PolygonMesh& mesh) {
     std::sort(corners.begin(), corners.end());
     return seen.insert(std::move(corners)).second;
   });
-}
-
-/// Size of a mesh: the diagonal of the bounding box of its used vertices.
-double size_of(const PolygonMesh& mesh) {
-  Eigen::AlignedBox3d box;
-  for (const Index v : mesh.face_vertices) box.extend(mesh.positions[v]);
-  return box.isEmpty() ? 0 : box.diagonal().norm();
 }
 
 bool same_face(const PolygonMesh& a, const PolygonMesh& b, std::size_t f) {
@@ -114,7 +111,7 @@ Result<Repaired> make_manifold(const PolygonMesh& given) {
   mesh = remove_isolated_vertices(mesh);
   report.removed_vertices = unused - mesh.positions.size();
   const std::size_t separate = mesh.positions.size();
-  mesh = weld(mesh, near * size_of(mesh));
+  mesh = weld(mesh, joining_distance(mesh));
   report.merged_vertices = separate - mesh.positions.size();
   report.dropped_faces = given.face_count() - mesh.face_count();
   // Counted before and after the splitting, which makes several faces of one.

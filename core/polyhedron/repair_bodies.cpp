@@ -2,8 +2,12 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
 #include <numbers>
+#include <optional>
+#include <span>
 
 #include "core/base/disjoint_sets.hpp"
 #include "core/geometry/polygon.hpp"
@@ -42,6 +46,7 @@ class SidePairing {
     });
     for (const Index h : by_angle) bodies_.join(face_[h], face_[twin_[h]]);
     undo_where_open(sound, by_angle);
+    if (!by_angle.empty()) exchange_doubled(sound, edges);
   }
   const std::vector<Index>& twin() const { return twin_; }
 
@@ -76,7 +81,7 @@ class SidePairing {
   };
 
   /// Sides round the edge low -> high by their angles; none where a face has no plane.
-  std::vector<Side> sides_of(Index low, Index high, const std::vector<Index>& corners) const {
+  std::vector<Side> sides_of(Index low, Index high, const std::vector<Index>& corners) {
     const Vector3 along = (mesh_.positions[high] - mesh_.positions[low]).normalized();
     Vector3 first = Vector3::Zero(), second = Vector3::Zero();
     std::vector<Side> out;
@@ -99,6 +104,7 @@ class SidePairing {
     // Faces on each other: where one body ends the next one begins.
     for (std::size_t begin = 0, end = 0; begin < out.size(); begin = end) {
       for (end = begin + 1; end < out.size() && out[end].angle - out[begin].angle <= 2 * same_angle;) ++end;
+      for (std::size_t k = begin; end - begin > 1 && k < end; ++k) on_others_.push_back(out[k].corner);
       std::stable_partition(out.begin() + std::ptrdiff_t(begin), out.begin() + std::ptrdiff_t(end),
                             [](const Side& side) { return side.forward; });
     }
@@ -120,11 +126,12 @@ class SidePairing {
     }
   }
 
-  /// Takes pairs by angle back where they leave a body open, or make one that is inside out: both sides of a
-  /// sheet are no body.
+  /// Takes pairs by angle back where they leave a body open, or make one that is inside out of faces that lie
+  /// on others: both sides of a sheet are no body. Cavities look inwards, too, and stay.
   void undo_where_open(const std::vector<char>& sound, const std::vector<Index>& paired) {
     if (paired.empty()) return;
-    std::vector<char> open(mesh_.face_count(), 0);
+    std::vector<char> open(mesh_.face_count(), 0), on_others(mesh_.face_count(), 0);
+    for (const Index h : on_others_) on_others[bodies_.find(face_[h])] = 1;
     std::vector<double> volume(mesh_.face_count(), 0);
     for (Index f = 0; f < mesh_.face_count(); ++f) {
       if (!sound[f]) continue;
@@ -140,16 +147,58 @@ class SidePairing {
     }
     for (const Index h : paired) {
       const Index body = bodies_.find(face_[h]);
-      if (!open[body] && volume[body] > 0) continue;
+      if (!open[body] && (volume[body] > 0 || (volume[body] < 0 && !on_others[body]))) continue;
       twin_[twin_[h]] = no_index;
       twin_[h] = no_index;
     }
   }
 
+  Index next_corner(Index h) const {
+    const Index begin = mesh_.face_offsets[face_[h]], end = mesh_.face_offsets[face_[h] + 1];
+    return h + 1 == end ? begin : h + 1;
+  }
+
+  /// Two sides from `low` whose pairs the same fans hold at both ends, so that they would remain one edge;
+  /// nothing where there are none.
+  std::optional<std::array<Index, 2>> doubled_sides(const CornerFans& fans, Index low,
+                                                    std::span<const EdgeUse> uses) const {
+    std::map<std::array<Index, 2>, Index> first;  // side by its fans at both ends
+    for (const EdgeUse& use : uses) {
+      const Index h = use.corner;
+      if (mesh_.face_vertices[h] != low || twin_[h] == no_index) continue;
+      const auto [known, added] = first.try_emplace({fans.fan[h], fans.fan[next_corner(h)]}, h);
+      if (!added) return std::array<Index, 2>{known->second, h};
+    }
+    return {};
+  }
+
+  /// Exchanges the partners of pairs that would remain one edge, where a body touches itself at an edge and
+  /// hangs together round both of its ends. The faces close either way, the outside between them instead of
+  /// the inside. An exchange parts a fan at each end and joins none, so no edge stays doubled.
+  void exchange_doubled(const std::vector<char>& sound, const EdgeTable& edges) {
+    for (bool changed = true; changed;) {
+      changed = false;
+      const CornerFans fans = find_corner_fans(mesh_, sound, edges, twin_);
+      std::vector<char> other_fans(mesh_.positions.size(), 0);  // vertices where an exchange changed them
+      edges.for_each_edge([&](Index low, Index high, std::span<const EdgeUse> uses) {
+        if (uses.size() <= 2 || other_fans[low] || other_fans[high]) return;
+        const auto doubled = doubled_sides(fans, low, uses);
+        if (!doubled) return;
+        const auto [g, h] = *doubled;
+        const Index of_g = twin_[g], of_h = twin_[h];
+        pair(g, of_h);
+        pair(h, of_g);
+        changed = true;
+        other_fans[low] = other_fans[high] = 1;
+      });
+    }
+  }
+
   const PolygonMesh& mesh_;
-  std::vector<Index> twin_;  ///< per corner
-  std::vector<Index> face_;  ///< per corner
-  DisjointSets bodies_;      ///< of the faces
+  std::vector<Index> twin_;       ///< per corner
+  std::vector<Index> face_;       ///< per corner
+  DisjointSets bodies_;           ///< sets of faces
+  std::vector<Index> on_others_;  ///< corners of sides whose faces lie on others at the edge
 };
 
 /// Gives every fan but the first a copy of its vertex; copies are appended at the end.

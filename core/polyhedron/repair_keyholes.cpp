@@ -6,6 +6,7 @@
 #include <set>
 #include <utility>
 
+#include "core/base/index_list.hpp"
 #include "core/geometry/polygon.hpp"
 #include "core/polyhedron/face_decomposition.hpp"
 #include "core/polyhedron/repair.hpp"
@@ -41,8 +42,7 @@ bool has_bridge(const PolygonMesh& mesh, std::span<const Index> face) {
 /// Whether one loop of the face runs round all of it and the others run against it, as holes do.
 bool has_one_rim(const PolygonMesh& mesh, std::span<const Index> face, const Vector3& normal) {
   std::vector<Index> used(face.begin(), face.end()), own;
-  std::sort(used.begin(), used.end());
-  used.erase(std::unique(used.begin(), used.end()), used.end());
+  sort_unique(used);
   for (const Index v : face)
     own.push_back(static_cast<Index>(std::lower_bound(used.begin(), used.end(), v) - used.begin()));
   PolygonMesh alone;

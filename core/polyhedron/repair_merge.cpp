@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "core/base/index_list.hpp"
 #include "core/polyhedron/near_vertices.hpp"
 #include "core/polyhedron/repair.hpp"
 
@@ -28,11 +29,9 @@ PolygonMesh with_kept_vertices(const PolygonMesh& mesh, const std::vector<char>&
 
 PolygonMesh remove_isolated_vertices(const PolygonMesh& mesh) {
   std::vector<char> used(mesh.positions.size(), 0);
-  std::vector<Index> itself(mesh.positions.size());
-  for (Index v = 0; v < itself.size(); ++v) itself[v] = v;
   for (Index v : mesh.face_vertices)
     if (v < used.size()) used[v] = 1;
-  return with_kept_vertices(mesh, used, itself);
+  return with_kept_vertices(mesh, used, ascending_indices(mesh.positions.size()));
 }
 
 PolygonMesh weld(const PolygonMesh& mesh, double distance) {
@@ -47,8 +46,7 @@ PolygonMesh weld(const PolygonMesh& mesh, double distance) {
   for (std::size_t f = 0; f < merged.face_count(); ++f) {
     const std::span<const Index> face = merged.face(f);
     corners.assign(face.begin(), face.end());
-    corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
-    while (corners.size() > 1 && corners.front() == corners.back()) corners.pop_back();
+    remove_repeats(corners);
     if (corners.size() >= 3) out.add_face(corners);
   }
   return out;

@@ -29,14 +29,6 @@ struct Neighbours {
   std::vector<Neighbour> list;
 };
 
-std::vector<Index> faces_of_corners(const PolygonMesh& mesh) {
-  std::vector<Index> face(mesh.face_vertices.size());
-  for (std::size_t f = 0; f < mesh.face_count(); ++f)
-    std::fill(face.begin() + mesh.face_offsets[f], face.begin() + mesh.face_offsets[f + 1],
-              static_cast<Index>(f));
-  return face;
-}
-
 Message not_orientable(Index low, Index high, std::size_t faces) {
   const Element edge = element_of(EdgeId::of(VertexId{low}, VertexId{high}));
   if (faces > 2)

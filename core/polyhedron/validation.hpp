@@ -32,8 +32,9 @@ inline constexpr Code w_valence_2{"W_VALENCE_2"};
 ///
 /// Errors come first, in the order of the codes above, then warnings in theirs. The first error is the one
 /// that Polyhedron::build returns. Lengths that count as zero (W_DUPLICATE_VERTEX, W_ZERO_EDGE) are up to
-/// 1e-12 of the diagonal of the bounding box of all used vertices. W_INSIDE_OUT names the first face of a
-/// closed part that looks inwards and is no cavity of another one.
+/// 1e-12 of the diagonal of the bounding box of all used vertices. W_DUPLICATE_VERTEX is about vertices on
+/// borders, where a weld may close something. W_INSIDE_OUT names the first face of a closed part that looks
+/// inwards and is no cavity of another one.
 std::vector<Message> validate(const PolygonMesh& mesh, std::size_t limit = 100);
 
 /// Warnings of a polyhedron, with its stable ids.

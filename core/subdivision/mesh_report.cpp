@@ -1,9 +1,14 @@
 #include "core/subdivision/mesh_report.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <unordered_set>
+#include <utility>
 
 #include "core/base/solvers/dense_solver.hpp"
 #include "core/base/solvers/sparse_solver.hpp"
+#include "core/geometry/edge_key.hpp"
 
 namespace hariko {
 
@@ -36,6 +41,43 @@ ControlMeshFigures figures(const PolygonMesh& mesh) {
     if (!regular) ++out.extraordinary[(boundary[v] > 0 ? "b" : "i") + std::to_string(valence[v])];
   }
   return out;
+}
+
+std::size_t regular_face_count(const ControlMesh& control) {
+  const PolygonMesh& mesh = control.mesh;
+  std::unordered_set<std::uint64_t> half_edges;
+  for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+    const auto face = mesh.face(f);
+    for (std::size_t i = 0; i < face.size(); ++i)
+      half_edges.insert(half_edge_key(face[i], face[(i + 1) % face.size()]));
+  }
+  struct Ring {
+    int faces = 0, borders = 0;
+    bool quads = true, sharp = false, corner = false;
+  };
+  std::vector<Ring> rings(mesh.positions.size());
+  for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+    const auto face = mesh.face(f);
+    for (std::size_t i = 0; i < face.size(); ++i) {
+      Ring& ring = rings[face[i]];
+      ++ring.faces;
+      ring.quads = ring.quads && face.size() == 4;
+      const Index next = face[(i + 1) % face.size()];
+      if (!half_edges.contains(half_edge_key(next, face[i]))) ++ring.borders, ++rings[next].borders;
+    }
+  }
+  for (const auto& crease : control.creases) rings[crease.a].sharp = rings[crease.b].sharp = true;
+  for (const auto& corner : control.corners) rings[corner.vertex].corner = true;
+  const auto is_regular = [&](Index v) {
+    const Ring& ring = rings[v];
+    const bool inside = ring.borders == 0 && ring.faces == 4 && !ring.corner;
+    const bool border = ring.borders == 2 && (ring.faces == 1 || (ring.faces == 2 && !ring.corner));
+    return ring.quads && !ring.sharp && (inside || border);
+  };
+  std::size_t count = 0;
+  for (std::size_t f = 0; f < mesh.face_count(); ++f)
+    count += mesh.face(f).size() == 4 && std::all_of(mesh.face(f).begin(), mesh.face(f).end(), is_regular);
+  return count;
 }
 
 namespace {

@@ -1,11 +1,12 @@
 #pragma once
 
-// Statistics of a control mesh: counts, extraordinary vertices, and the condition of fitting it to limit
-// points.
+// Statistics of a control mesh: counts, extraordinary vertices, regular faces, and the condition of fitting
+// it to limit points.
 
 #include <map>
 #include <string>
 
+#include "core/subdivision/control_mesh.hpp"
 #include "core/subdivision/subdivision_surface.hpp"
 
 namespace hariko {
@@ -22,6 +23,11 @@ struct ControlMeshFigures {
 };
 /// Counts the elements of a mesh. O(n log n).
 ControlMeshFigures figures(const PolygonMesh& mesh);
+
+/// Number of regular faces: quads with four regular vertices, over each of which the surface is one bicubic
+/// B-spline patch exactly. A vertex is regular if it is interior to four quads without creases, on the border
+/// of two quads, or a corner of one. O(faces) expected.
+std::size_t regular_face_count(const ControlMesh& control);
 
 /// Condition number of the matrix from control points to limit points: the ratio of its largest and smallest
 /// singular value. Dense up to 600 vertices, iterative above.

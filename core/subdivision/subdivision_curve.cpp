@@ -232,18 +232,4 @@ double length(const SubdivisionCurve& curve) {
   return out;
 }
 
-std::vector<Vector3> clamped_control_points(const SubdivisionCurve& curve) {
-  HARIKO_ASSERT(!curve.closed && curve.size() >= 2, "an open curve");
-  const auto& p = curve.points;
-  const std::size_t n = p.size();
-  std::vector<Vector3> out{p[0], (2 * p[0] + p[1]) / 3};
-  for (std::size_t i = 1; i + 1 < n; ++i) {
-    HARIKO_ASSERT(!curve.is_sharp(int(i)), "corners split the curve");
-    out.push_back(p[i]);
-  }
-  out.push_back((p[n - 2] + 2 * p[n - 1]) / 3);
-  out.push_back(p[n - 1]);
-  return out;
-}
-
 }  // namespace hariko

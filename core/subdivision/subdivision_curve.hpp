@@ -92,9 +92,4 @@ CurveFoot nearest_point(const SubdivisionCurve& curve, const Vector3& target);
 /// Length as the sum of the chords between 16 samples per span.
 double length(const SubdivisionCurve& curve);
 
-/// Control points of the open curve as a clamped cubic B-spline: n + 2 control points over the knots
-/// 0,0,0,0,1,..,n-2,n-1 x 4. Exact; the curve must be open, without inner corners, and have at least two
-/// points.
-std::vector<Vector3> clamped_control_points(const SubdivisionCurve& curve);
-
 }  // namespace hariko

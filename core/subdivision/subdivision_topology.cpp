@@ -88,6 +88,7 @@ Result<std::shared_ptr<const SubdivisionTopology>> SubdivisionTopology::make(con
     evaluator.controls[f].assign(indices.begin(), indices.end());
   }
   made->add_patches();
+  made->number_nodes();
   made->join_sides();
   made->classify_vertices();
   made->find_shapes();
@@ -207,12 +208,9 @@ std::shared_ptr<const StencilTable> SubdivisionTopology::table(Index patch, int 
   return at->second;
 }
 
-/// Makes nodes, seams, boundary and owners. A side is identified by the nodes at its ends and the edge it
-/// lies on.
-void SubdivisionTopology::join_sides() {
+/// Makes the nodes: of vertices, and where faces are cut of the middles of edges and the centres of faces.
+void SubdivisionTopology::number_nodes() {
   const PolygonMesh& mesh = mesh_.mesh;
-  std::unordered_map<std::uint64_t, double> crease;
-  for (const auto& c : mesh_.creases) crease[edge_key(c.a, c.b)] = c.sharpness;
   vertex_nodes_.assign(mesh.positions.size(), no_index);
   std::unordered_map<std::uint64_t, Index> middle_node;
   std::vector<Index> nodes;
@@ -240,6 +238,14 @@ void SubdivisionTopology::join_sides() {
       middle((c + n - 1) % n);
     }
   }
+  corner_nodes_ = std::make_shared<const std::vector<Index>>(std::move(nodes));
+}
+
+/// Makes seams, boundary and owners.
+void SubdivisionTopology::join_sides() {
+  const PolygonMesh& mesh = mesh_.mesh;
+  std::unordered_map<std::uint64_t, double> crease;
+  for (const auto& c : mesh_.creases) crease[edge_key(c.a, c.b)] = c.sharpness;
   std::vector<Seam> seams;
   std::vector<PatchSide> boundary;
   std::vector<Element> sources;
@@ -284,7 +290,6 @@ void SubdivisionTopology::join_sides() {
       for (std::size_t k = 0; k < own.size(); ++k) join(own[k], theirs[own.size() - 1 - k], intended, source);
     }
   }
-  corner_nodes_ = std::make_shared<const std::vector<Index>>(std::move(nodes));
   seams_ = std::make_shared<const std::vector<Seam>>(std::move(seams));
   boundary_sides_ = std::make_shared<const std::vector<PatchSide>>(std::move(boundary));
   boundary_sources_ = std::make_shared<const std::vector<Element>>(std::move(sources));

@@ -101,6 +101,7 @@ class SubdivisionTopology {
   };
   explicit SubdivisionTopology(ControlMesh mesh);
   void add_patches();
+  void number_nodes();
   void join_sides();
   void classify_vertices();
   void find_shapes();

@@ -1,10 +1,10 @@
 #include "core/surface/surface_triangles.hpp"
 
 #include <algorithm>
-#include <numeric>
 #include <utility>
 
 #include "core/base/assert.hpp"
+#include "core/base/index_list.hpp"
 #include "core/base/parallel.hpp"
 #include "core/surface/adjacency.hpp"
 
@@ -57,8 +57,7 @@ SurfaceTriangles surface_triangles(const Surface& surface, int density) {
   out.positions.resize(points * surface.patch_count());
   out.triangles.resize(local.size() * surface.patch_count());
   parallel_for(surface.patch_count(), gridded_patches_per_task, [&](std::size_t begin, std::size_t end) {
-    std::vector<Index> patches(end - begin);
-    std::iota(patches.begin(), patches.end(), static_cast<Index>(begin));
+    const std::vector<Index> patches = ascending_indices(end - begin, static_cast<Index>(begin));
     std::vector<Vector3> normals(points * patches.size());
     surface.patches().evaluate_grid(
         patches, pattern, std::span<Vector3>(out.positions.data() + begin * points, normals.size()), normals);

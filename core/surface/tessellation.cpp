@@ -1,9 +1,8 @@
 #include "core/surface/tessellation.hpp"
 
-#include <numeric>
-
 #include "core/base/assert.hpp"
 #include "core/base/disjoint_sets.hpp"
+#include "core/base/index_list.hpp"
 #include "core/base/parallel.hpp"
 #include "core/surface/adjacency.hpp"
 
@@ -187,8 +186,7 @@ TriangleMesh tessellate(const Surface& surface, int density, const CancelToken& 
 
   const auto fill = [&](std::size_t begin, std::size_t end) {
     if (cancel.cancelled()) return;
-    std::vector<Index> patches(end - begin);
-    std::iota(patches.begin(), patches.end(), static_cast<Index>(begin));
+    const std::vector<Index> patches = ascending_indices(end - begin, static_cast<Index>(begin));
     const auto points = static_cast<std::size_t>(n);
     std::vector<Vector3> at(patches.size() * points), across(at.size());
     surface.patches().evaluate_grid(patches, pattern, at, across);

@@ -105,7 +105,8 @@ class Welder {
     return true;
   }
 
-  /// Finds sides that are the same curve by a sweep over their sorted midpoints. The sweep direction is one
+  /// Finds sides that are the same curve by a sweep over their sorted midpoints; of several, as where bodies
+  /// touch, one that runs the other way, so that no patch is flipped. The sweep direction is one
   /// that control nets rarely have, since across an aligned direction all midpoints of a net would be
   /// candidates.
   void match_whole_sides() {
@@ -116,15 +117,20 @@ class Welder {
     const auto place = [&](Index slot) { return curves_[slot].point[samples / 2].dot(direction); };
     std::stable_sort(order.begin(), order.end(), [&](Index a, Index b) { return place(a) < place(b); });
     for (std::size_t i = 0; i < order.size(); ++i) {
-      for (std::size_t j = i + 1; j < order.size() && !matched_[order[i]]; ++j) {
+      if (matched_[order[i]]) continue;
+      Index other = no_index;
+      bool reversed = false;
+      for (std::size_t j = i + 1; j < order.size() && !reversed; ++j) {
         if (place(order[j]) - place(order[i]) > tolerance_) break;
         if (matched_[order[j]]) continue;
-        const Index a = std::min(order[i], order[j]), b = std::max(order[i], order[j]);
-        const bool reversed = same(curves_[a], curves_[b], true);
-        if (!reversed && !same(curves_[a], curves_[b], false)) continue;
-        meetings_.push_back({a, b, 0, 1, reversed ? 1.0 : 0.0, reversed ? 0.0 : 1.0});
-        matched_[a] = matched_[b] = 1;
+        reversed = same(curves_[order[i]], curves_[order[j]], true);
+        if (reversed || (other == no_index && same(curves_[order[i]], curves_[order[j]], false)))
+          other = order[j];
       }
+      if (other == no_index) continue;
+      const auto [a, b] = std::minmax({order[i], other});
+      meetings_.push_back({a, b, 0, 1, reversed ? 1.0 : 0.0, reversed ? 0.0 : 1.0});
+      matched_[a] = matched_[b] = 1;
     }
     std::sort(meetings_.begin(), meetings_.end(),
               [](const Meeting& a, const Meeting& b) { return a.first < b.first; });

@@ -240,7 +240,7 @@ double longest_side_of(const PolygonMesh& mesh) {
 
 Result<CutFaces> cut_large_faces(const PolygonMesh& mesh, const PaperSettings& settings) {
   if (const auto fine = check_settings(settings, longest_side_of(mesh)); !fine.ok()) return fine.error();
-  const PaperSize room = settings.sanitized_utf8();
+  const PaperSize room = settings.printable_area();
   const double pages = settings.scale * settings.scale * area_of_faces(mesh) / (room.width * room.height);
   if (pages > most_pages)
     return make_error(

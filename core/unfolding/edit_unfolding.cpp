@@ -208,18 +208,6 @@ Unfolding split_to_fit(const Unfolding& unfolding, Index piece) {
                   unfolding.tab_choices, places_in(unfolding));
 }
 
-Result<Unfolding> with_settings(const Unfolding& unfolding, const PaperSettings& settings) {
-  if (const auto fine = check_settings(settings, unfolding.graph->longest_edge()); !fine.ok())
-    return fine.error();
-  const PaperSettings& old = unfolding.settings;
-  const bool same_lengths = settings.scale == old.scale && settings.page == old.page &&
-                            settings.margin == old.margin && settings.gap == old.gap &&
-                            settings.tab_height == old.tab_height && settings.least_tab == old.least_tab &&
-                            settings.strip_width == old.strip_width;
-  return assemble(unfolding.graph, settings, unfolding.folds, unfolding.wishes, unfolding.tab_choices,
-                  same_lengths ? places_in(unfolding) : KnownPlaces{});
-}
-
 std::vector<std::pair<Index, Index>> overlaps_of(const Unfolding& unfolding) {
   return overlapping_pairs(printed_polygons(unfolding), paper_tolerance(unfolding));
 }

@@ -40,10 +40,6 @@ Unfolding rearrange(const Unfolding& unfolding);
 /// Divides a piece so that its parts fit the page; other pieces keep their folds and places.
 Unfolding split_to_fit(const Unfolding& unfolding, Index piece);
 
-/// Same cuts with other settings. Where lengths on paper change, everything is packed anew. Errors: those of
-/// `check_settings`.
-Result<Unfolding> with_settings(const Unfolding& unfolding, const PaperSettings& settings);
-
 /// Pairs of items that overlap on a page. Numbers below the facet count are facets; the others are tabs and
 /// strips of joints (facet count + joint).
 std::vector<std::pair<Index, Index>> overlaps_of(const Unfolding& unfolding);

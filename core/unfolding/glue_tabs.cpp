@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/base/index_list.hpp"
 #include "core/unfolding/cuts/convex_overlap.hpp"
 #include "core/unfolding/cuts/facet_grid.hpp"
 
@@ -64,16 +65,11 @@ std::vector<Joint> find_joints(const FacetGraph& graph, const Folds& folds, cons
   std::vector<Joint> joints;
   for (Index e = 0; e < graph.edge_count(); ++e)
     if (!folds[e] && !graph.edge(e).border()) joints.push_back({e, {}});
-  std::vector<Index> order(joints.size());
-  for (Index k = 0; k < order.size(); ++k) order[k] = k;
-  std::stable_sort(order.begin(), order.end(), [&](Index a, Index b) {
+  const std::vector<Index> order = stable_order(joints.size(), [&](Index a, Index b) {
     return graph.edge(joints[a].edge).length > graph.edge(joints[b].edge).length;
   });
-  double longest = 0;
-  for (const FacetCorners& c : layout.corners)
-    for (std::size_t k = 0; k < 3; ++k) longest = std::max(longest, (c[(k + 1) % 3] - c[k]).norm());
   // Stricter than the final overlap test, so that rounding when a piece is moved does not matter.
-  TabRoom room(layout, joints.size(), 0.5 * overlap_tolerance * longest);
+  TabRoom room(layout, joints.size(), 0.5 * overlap_tolerance * longest_side(layout.corners));
 
   const auto place = [&](Index j) {
     const FacetEdge& edge = graph.edge(joints[j].edge);

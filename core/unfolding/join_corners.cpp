@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "core/base/disjoint_sets.hpp"
+#include "core/base/index_list.hpp"
 #include "core/polyhedron/edge_table.hpp"
 #include "core/polyhedron/face_check.hpp"
 
@@ -14,8 +15,7 @@ namespace {
 
 /// Number of each distinct position, for each vertex; numbered in the order of the positions.
 std::vector<Index> place_numbers(const std::vector<Vector3>& positions) {
-  std::vector<Index> order(positions.size()), out(positions.size());
-  for (Index v = 0; v < order.size(); ++v) order[v] = v;
+  std::vector<Index> order = ascending_indices(positions.size()), out(positions.size());
   const auto key = [&](Index v) {
     const Vector3& p = positions[v];
     return std::tuple(p.x() + 0.0, p.y() + 0.0, p.z() + 0.0);

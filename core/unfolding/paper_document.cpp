@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <map>
-#include <numeric>
 
 #include "core/base/assert.hpp"
 #include "core/base/disjoint_sets.hpp"
+#include "core/base/index_list.hpp"
 #include "core/unfolding/cuts/cut_search.hpp"
 #include "core/unfolding/cuts/greedy_unfolding.hpp"
 
@@ -57,8 +57,7 @@ class Keeper {
  private:
   void number(std::span<const PaperVertex> names) {
     HARIKO_ASSERT(names.size() == graph_.positions().size(), "one name a vertex");
-    std::vector<Index> order(names.size());
-    std::iota(order.begin(), order.end(), Index{0});
+    std::vector<Index> order = ascending_indices(names.size());
     std::sort(order.begin(), order.end(), [&](Index a, Index b) { return names[a] < names[b]; });
     number_.assign(names.size(), no_index);
     for (std::size_t k = 0; k < order.size(); ++k) {
@@ -182,7 +181,7 @@ Folds folds_of(const FacetGraph& graph, const EdgeRules& rules, const PaperSetti
   }
   if (!open) return folds;
   const std::vector<FacetCorners> shapes = facet_shapes(graph, settings.scale);
-  FacetForest forest(graph, shapes, rules, search_tolerance(graph, shapes), settings.piece_room());
+  FacetForest forest(graph, shapes, rules, search_tolerance(shapes), settings.piece_room());
   gather(forest, {GrowthOrder::long_edges}, {});
   return forest.folds();
 }
@@ -285,15 +284,6 @@ Result<Unfolding> restored(const PaperModel& paper, std::shared_ptr<const FacetG
 
 EdgeRules wishes_on(const PaperModel& paper, const FacetGraph& graph, std::span<const PaperVertex> names) {
   return wishes_of(paper, graph, Finder(paper, graph, names));
-}
-
-std::vector<PaperVertex> plain_names(const FacetGraph& graph) {
-  std::vector<PaperVertex> out(graph.positions().size());
-  for (Index v = 0; v < out.size(); ++v) {
-    out[v].object = ObjectId{0};
-    out[v].side = v;
-  }
-  return out;
 }
 
 }  // namespace hariko

@@ -25,7 +25,4 @@ Result<Unfolding> restored(const PaperModel& paper, std::shared_ptr<const FacetG
 /// Designer's cuts and folds that still exist, for a new search.
 EdgeRules wishes_on(const PaperModel& paper, const FacetGraph& graph, std::span<const PaperVertex> names);
 
-/// Names for a mesh that stands for itself: the numbers of its vertices.
-std::vector<PaperVertex> plain_names(const FacetGraph& graph);
-
 }  // namespace hariko

@@ -32,7 +32,7 @@ PackItem strip_item(double length, const PaperSettings& settings) {
 /// Runs of strips that fit on a page.
 std::vector<StripRun> runs_of(const FacetGraph& graph, const FlatLayout& layout,
                               const std::vector<Joint>& joints, const PaperSettings& settings) {
-  const PaperSize room = settings.sanitized_utf8();
+  const PaperSize room = settings.printable_area();
   return strip_runs(graph, layout, joints, settings, std::max(room.width, room.height));
 }
 
@@ -335,7 +335,7 @@ std::string piece_name(Index piece) {
 
 double paper_use(const Unfolding& unfolding) {
   const PaperSettings& s = unfolding.settings;
-  const double pages = s.sanitized_utf8().width * s.sanitized_utf8().height * unfolding.page_count;
+  const double pages = s.printable_area().width * s.printable_area().height * unfolding.page_count;
   return pages > 0 ? s.scale * s.scale * unfolding.graph->total_area() / pages : 0;
 }
 

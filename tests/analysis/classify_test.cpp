@@ -1,7 +1,5 @@
 // Classes of continuity on surfaces whose answer is known.
 
-#include <gtest/gtest.h>
-
 #include <numbers>
 #include <set>
 
@@ -72,8 +70,7 @@ TEST(Classify, CreasesOfACubeAreG0AndTheOtherEdgesG1) {
       input.shaping.crease.set(EdgeId::of(cube.vertex_id(corners[i]), cube.vertex_id(corners[(i + 1) % 4])),
                                true);
   }
-  const auto built = PolyhedronSurfacer().rebuild(input);
-  ASSERT_TRUE(built);
+  const auto built = test::must(PolyhedronSurfacer().rebuild(input));
   const Surface& surface = built->surface;
   const auto classes = classify(surface, continuity(surface), {0.1, 0.001});
   std::size_t creases = 0, smooth = 0;

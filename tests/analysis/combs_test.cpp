@@ -2,9 +2,6 @@
 
 #include "core/analysis/combs.hpp"
 
-#include <gtest/gtest.h>
-
-#include "core/base/parallel.hpp"
 #include "core/patching/polyhedron_surface.hpp"
 #include "tests/support/analytic_patches.hpp"
 #include "tests/support/random.hpp"
@@ -86,8 +83,7 @@ TEST(Combs, OfSurfacesEqualDifferencesOfPositions) {
     const PolygonMesh mesh = test::chance(rng, 0.5) ? test::prism(test::uniform_int(rng, 3, 8))
                                                     : test::grid(test::uniform_int(rng, 2, 4), 3);
     const Polyhedron polyhedron = Polyhedron::build(mesh).value();
-    const auto built = PolyhedronSurfacer().rebuild({polyhedron, {}});
-    ASSERT_TRUE(built);
+    const auto built = test::must(PolyhedronSurfacer().rebuild({polyhedron, {}}));
     const Surface& surface = built->surface;
     constexpr int density = 6;
     const CurvatureCombs combs = curvature_combs(surface, density);

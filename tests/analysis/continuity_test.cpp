@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <numbers>
-
 #include "core/base/parallel.hpp"
 #include "tests/support/analytic_patches.hpp"
 

@@ -131,7 +131,7 @@ TEST(MakingMaps, WhatIsHiddenAlongThePullIsAnUndercut) {
     const TriangleTree hiding = tree_of(both, 1);
     const int density = 9;
     const GridPattern pattern{Domain::triangle, density};
-    const std::vector<Index> top{2, 3};  // of the lower slab
+    const std::vector<Index> top{2, 3};  // top of the lower slab
     std::vector<float> found(std::size_t(pattern.point_count()) * 2);
     draft_values(both, {0, 0, 1}, &hiding, top, pattern, found);
     std::vector<Vector3> at(found.size()), normals(found.size());

@@ -7,7 +7,7 @@
 #include <map>
 #include <string>
 
-#include "app/window/window_icons.hpp"
+#include "app/window/gl_window.hpp"
 #include "tests/support/places.hpp"
 #include "tests/support/temporary_folder.hpp"
 

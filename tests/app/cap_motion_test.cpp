@@ -1,18 +1,13 @@
 // 3D mice: what a push and a turn of the cap do to the camera, and their events.
 
-#include <gtest/gtest.h>
-
-#include <cmath>
 #include <limits>
 
 #include "app/input/space_mouse.hpp"
 #include "tests/support/random.hpp"
-#include "ui/view/cap_motion.hpp"
+#include "ui/view/navigation.hpp"
 
-namespace hariko {
+namespace hariko::test {
 namespace {
-
-using namespace hariko::test;
 
 constexpr PixelSize cap_picture{800, 600};
 
@@ -85,8 +80,7 @@ TEST(CapMotion, HorizonsStayLevelAndAnglesAddUp) {
     Camera camera = any_camera(rng);
     for (int i = 0; i < 20; ++i) camera = moved_by_cap(camera, turn(random_vector(rng, 1)), {});
     EXPECT_NEAR(camera.right().z(), 0, 1e-9);
-    CapEffect free;
-    free.rolls = true;
+    CapEffect free{.rolls = true};
     const Camera once = moved_by_cap(camera, {Vector3::Zero(), Vector3(0.3, -0.2, 0.4), 0.04}, free);
     const CapMotion half{Vector3::Zero(), Vector3(0.3, -0.2, 0.4), 0.02};
     const Camera twice = moved_by_cap(moved_by_cap(camera, half, free), half, free);
@@ -109,8 +103,7 @@ TEST(CapMotion, NothingRunsAway) {
   // A hand that pushes turns the cap a little, too.
   const Camera pushed = moved_by_cap(camera, {Vector3(1, 0, 0), Vector3(0, 0.01, 0), 0.02}, {});
   EXPECT_EQ(pushed.orientation.coeffs(), camera.orientation.coeffs());
-  CapEffect plan;
-  plan.turns = false;
+  CapEffect plan{.turns = false};
   EXPECT_TRUE(moved_by_cap(camera, turn({1, 1, 1}), plan) == camera);
 }
 
@@ -153,4 +146,4 @@ TEST(CapMotion, MotionsInARowAreOneStepToGoBackFrom) {
 }
 
 }  // namespace
-}  // namespace hariko
+}  // namespace hariko::test

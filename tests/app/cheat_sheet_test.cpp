@@ -1,4 +1,4 @@
-// How the cheat sheet takes hints apart and fills its columns.
+// Cheat sheet: how it takes hints apart and fills its columns.
 
 #include "ui/shell/cheat_sheet.hpp"
 

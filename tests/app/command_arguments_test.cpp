@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "ui/editor/operation_arguments.hpp"
+#include "ui/editor/last_operation.hpp"
 
 namespace hariko {
 namespace {

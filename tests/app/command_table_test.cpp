@@ -8,7 +8,6 @@
 #include <set>
 
 #include "ui/editor/command_host.hpp"
-#include "ui/editor/menu_tree.hpp"
 
 namespace hariko {
 namespace {

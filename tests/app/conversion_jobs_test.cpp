@@ -21,8 +21,7 @@ struct ConversionRig {
 
   ConversionRig() {
     EnvelopeInput input;
-    Solid ball;
-    ball.kind = SolidKind::sphere;
+    Solid ball{.kind = SolidKind::sphere};
     input.solids.push_back(ball);
     editor.open(add_object({}, "Ball", SolidsSource{input, {}}).value().document, {});
     editor.selection.active = objects()[0]->id;

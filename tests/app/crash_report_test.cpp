@@ -1,6 +1,5 @@
 #include "app/crash_report.hpp"
 
-#include <gtest/gtest.h>
 #include <signal.h>
 
 #include <cstdlib>

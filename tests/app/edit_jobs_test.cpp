@@ -2,8 +2,6 @@
 
 #include "app/jobs/edit_jobs.hpp"
 
-#include <gtest/gtest.h>
-
 #include <map>
 #include <memory>
 #include <optional>

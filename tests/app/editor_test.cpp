@@ -1,26 +1,12 @@
 #include "ui/editor/editor.hpp"
 
-#include <gtest/gtest.h>
-
+#include "tests/app/tool_rig.hpp"
 #include "ui/view/navigation.hpp"
 
 namespace hariko {
 namespace {
 
-Document cube_document() {
-  PolygonMesh mesh;
-  mesh.positions = {{-1, -1, -1}, {1, -1, -1}, {1, 1, -1}, {-1, 1, -1},
-                    {-1, -1, 1},  {1, -1, 1},  {1, 1, 1},  {-1, 1, 1}};
-  mesh.add_face({0, 3, 2, 1});
-  mesh.add_face({4, 5, 6, 7});
-  mesh.add_face({0, 1, 5, 4});
-  mesh.add_face({1, 2, 6, 5});
-  mesh.add_face({2, 3, 7, 6});
-  mesh.add_face({3, 0, 4, 7});
-  auto document = document_from_mesh(mesh, "cube");
-  EXPECT_TRUE(document.ok());
-  return document.value();
-}
+using test::cube_document;
 
 /// An editor with a cube and a viewport, driven by pointer events as the window drives it.
 struct EditorRig {

@@ -1,8 +1,6 @@
-// What is told of STEP and IGES files before they are written is what is written.
+// Forecast of STEP and IGES files: what is told before they are written is what is written.
 
 #include "app/files/export_cad.hpp"
-
-#include <gtest/gtest.h>
 
 #include <filesystem>
 
@@ -34,9 +32,7 @@ Document saddle() {
 }
 
 CadTotals count(const Document& document, const CadChoices& choices) {
-  const auto counted = count_cad(document, choices);
-  EXPECT_TRUE(counted.ok()) << to_string(counted.error());
-  return counted.ok() ? *counted : CadTotals{};
+  return *test::must(count_cad(document, choices));
 }
 
 TEST(ExportCad, WhatWasCountedIsWritten) {
@@ -59,8 +55,7 @@ TEST(ExportCad, WhatWasCountedIsWritten) {
 TEST(ExportCad, FarFromZeroIsWrittenRoundZeroOrRefused) {
   if (why_no_cad_files()) return;
   const test::TemporaryFolder folder;
-  Similarity far;
-  far.translation = {1e9, -1e9, 1e9};
+  Similarity far{.translation = {1e9, -1e9, 1e9}};
   const Document document = set_transform(torus(), ObjectId{1}, far).value();
   CadChoices choices{tolerance};
   const std::string time = "2026-11-22T12:00:00";
@@ -73,26 +68,22 @@ TEST(ExportCad, FarFromZeroIsWrittenRoundZeroOrRefused) {
     EXPECT_FALSE(std::filesystem::exists(folder.path() / "there.step"));
   }
   choices.to_zero = true;
-  const auto zero = export_cad(document, folder.path() / "zero.step", choices, time);
-  ASSERT_TRUE(zero.ok()) << to_string(zero.error());
+  const auto zero = test::must(export_cad(document, folder.path() / "zero.step", choices, time));
   EXPECT_TRUE(zero->file.valid);
   EXPECT_TRUE(zero->objects[0].closed);
   EXPECT_EQ(zero->objects[0].unreached, 0U);
   EXPECT_LT((zero->moved - far.translation).norm(), 10);
-  const auto near = export_cad(torus(), folder.path() / "near.step", choices, time);
-  ASSERT_TRUE(near.ok()) << to_string(near.error());
+  const auto near = test::must(export_cad(torus(), folder.path() / "near.step", choices, time));
   EXPECT_EQ(near->objects[0].faces, zero->objects[0].faces);
   choices.unit = Unit::metre;
-  const auto metres = export_cad(document, folder.path() / "metres.step", choices, time);
-  ASSERT_TRUE(metres.ok()) << to_string(metres.error());
+  const auto metres = test::must(export_cad(document, folder.path() / "metres.step", choices, time));
   EXPECT_NEAR(metres->moved.x(), 1e6, 0.01);
 }
 
 TEST(ExportCad, AnObjectTooFarFromTheOthersIsNamed) {
   if (why_no_cad_files()) return;
   const test::TemporaryFolder folder;
-  Similarity far;
-  far.translation = {1e12, 0, 0};
+  Similarity far{.translation = {1e12, 0, 0}};
   const Document near = torus();
   const Object& object = *near.objects.front();
   const Document document = add_object(near, "Distant", object.source, far)->document;
@@ -174,8 +165,7 @@ TEST(ExportCad, ReferenceFacetsAreLeftOutWithACount) {
   EXPECT_NE(told[0].text.find("1 (\"Scan\")"), std::string::npos) << told[0].text;
   EXPECT_TRUE(left_out_of_cad(saddle()).empty());
   const auto alone = count_cad(with_facets({}), {tolerance});
-  ASSERT_FALSE(alone.ok());
-  EXPECT_EQ(alone.error().code, e_no_surface);
+  test::must_fail(alone, e_no_surface);
   EXPECT_NE(alone.error().text.find("reference facets"), std::string::npos) << alone.error().text;
 }
 
@@ -185,8 +175,7 @@ TEST(ExportCad, IgesIsRefusedWhereItsDigitsBreakTheTolerance) {
   for (const double place : {0.0, 1e4, 1e8}) {
     Similarity far;
     far.translation = {place, 0, 0};
-    const auto document = set_transform(saddle(), ObjectId{1}, far);
-    ASSERT_TRUE(document.ok());
+    const auto document = test::must(set_transform(saddle(), ObjectId{1}, far));
     const auto iges = export_cad(*document, folder.path() / "a.igs", {tolerance}, "2026-11-22T12:00:00");
     // 1e8 has nine of the eleven digits before the point.
     EXPECT_EQ(iges.ok(), place < 1e8);

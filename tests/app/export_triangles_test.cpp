@@ -1,7 +1,5 @@
 #include "app/jobs/export_triangles.hpp"
 
-#include <gtest/gtest.h>
-
 #include "app/files/open_file.hpp"
 #include "core/document/edits/edits.hpp"
 #include "core/exchange/mesh_file.hpp"
@@ -27,8 +25,7 @@ TEST(ExportTriangles, WhatWasCountedIsWritten) {
     settings.by = by;
     settings.distance = 0.02;
     settings.density = 5;
-    const auto count = count_triangles(document, "a.ply", settings, {});
-    ASSERT_TRUE(count.ok()) << to_string(count.error());
+    const auto count = test::must(count_triangles(document, "a.ply", settings, {}));
     const auto file = folder.path() / "a.ply";
     ASSERT_TRUE(export_triangles(document, file, settings, {}, {}).ok());
     EXPECT_EQ(triangles_in(file), count->triangles);
@@ -43,27 +40,22 @@ TEST(ExportTriangles, WhatWasCountedIsWritten) {
 
 TEST(ExportTriangles, TolerancesAreLengthsOfTheDocument) {
   const Document document = document_from_mesh(test::torus(8, 6), "Torus").value();
-  Similarity large;
-  large.scale = 1000;
+  Similarity large{.scale = 1000};
   const Document scaled = set_transform(document, document.objects.front()->id, large).value();
-  ExportSettings settings;
-  settings.distance = 0.02;
-  const auto small = count_triangles(document, "a.ply", settings, {});
+  ExportSettings settings{.distance = 0.02};
+  const auto small = test::must(count_triangles(document, "a.ply", settings, {}));
   settings.distance = 20;
-  const auto same = count_triangles(scaled, "a.ply", settings, {});
-  ASSERT_TRUE(small.ok() && same.ok());
+  const auto same = test::must(count_triangles(scaled, "a.ply", settings, {}));
   EXPECT_EQ(small->triangles, same->triangles);
   EXPECT_NEAR(same->distance, 1000 * small->distance, 1e-6);
 }
 
 TEST(ExportTriangles, SmallerTolerancesAndAnglesNeedMore) {
   const Document document = document_from_mesh(test::torus(8, 6), "Torus").value();
-  ExportSettings settings;
-  settings.distance = 0.05;
-  const auto coarse = count_triangles(document, "a.ply", settings, {});
+  ExportSettings settings{.distance = 0.05};
+  const auto coarse = test::must(count_triangles(document, "a.ply", settings, {}));
   settings.angle = 0.1;
-  const auto turned = count_triangles(document, "a.ply", settings, {});
-  ASSERT_TRUE(coarse.ok() && turned.ok());
+  const auto turned = test::must(count_triangles(document, "a.ply", settings, {}));
   EXPECT_GT(turned->triangles, coarse->triangles);
   EXPECT_LE(turned->angle, 0.1);
   settings.distance = -1;
@@ -73,8 +65,7 @@ TEST(ExportTriangles, SmallerTolerancesAndAnglesNeedMore) {
 TEST(ExportTriangles, CancelledCountsEndAndFilesStay) {
   const test::TemporaryFolder folder;
   const Document document = document_from_mesh(test::torus(12, 9), "Torus").value();
-  ExportSettings settings;
-  settings.distance = 1e-3;
+  ExportSettings settings{.distance = 1e-3};
   const CancelToken cancel = CancelToken::make();
   cancel.cancel();
   EXPECT_EQ(count_triangles(document, "a.ply", settings, cancel).error().code, e_cancelled);
@@ -110,14 +101,11 @@ TEST(ExportTriangles, ReferenceFacetsGoOutAsTheyAreBesideSurfaces) {
       settings.distance = 0.05;
       settings.density = 2;
       const auto file = folder.path() / name;
-      const auto count = count_triangles(document, file, settings, {});
-      ASSERT_TRUE(count.ok()) << to_string(count.error());
-      const auto report = export_triangles(document, file, settings, {}, {});
-      ASSERT_TRUE(report.ok()) << to_string(report.error());
+      const auto count = test::must(count_triangles(document, file, settings, {}));
+      const auto report = test::must(export_triangles(document, file, settings, {}, {}));
       EXPECT_TRUE(report->warnings.empty());
       EXPECT_EQ(report->triangles, count->triangles);
-      const auto read = read_mesh_file(file);
-      ASSERT_TRUE(read.ok()) << to_string(read.error());
+      const auto read = test::must(read_mesh_file(file));
       EXPECT_EQ(read->mesh.face_count(), count->triangles);
       std::size_t of_box = 0;
       for (std::size_t f = 0; f < read->mesh.face_count(); ++f)
@@ -134,10 +122,8 @@ TEST(ExportTriangles, KindsFromElsewhereAreLeftOutWithACount) {
   for (const char* name : {"one", "two"})
     document =
         add_object(document, name, UnknownSource{"dream", std::string("{\"kind\":\"dream\"}")})->document;
-  ExportSettings settings;
-  settings.distance = 0.05;
-  const auto report = export_triangles(document, folder.path() / "a.obj", settings, {}, {});
-  ASSERT_TRUE(report.ok());
+  ExportSettings settings{.distance = 0.05};
+  const auto report = test::must(export_triangles(document, folder.path() / "a.obj", settings, {}, {}));
   ASSERT_EQ(report->warnings.size(), 1U);
   EXPECT_EQ(report->warnings[0].code, Code{"W_NOT_WRITTEN"});
   EXPECT_TRUE(report->warnings[0].text.starts_with("Objects left out: 2 (\"one\", \"two\")"))
@@ -150,10 +136,8 @@ TEST(ExportTriangles, KindsFromElsewhereAreLeftOutWithACount) {
 
 TEST(ExportTriangles, ThePromiseHoldsForTheDigitsOfTheFile) {
   const test::TemporaryFolder folder;
-  ExportSettings settings;
-  settings.distance = 0.01;
-  Similarity far;
-  far.translation = {500000.123, 5123456.789, 0};
+  ExportSettings settings{.distance = 0.01};
+  Similarity far{.translation = {500000.123, 5123456.789, 0}};
   const Document at_zero = document_from_mesh(test::torus(8, 6), "Torus").value();
   const Document document = set_transform(at_zero, at_zero.objects.front()->id, far).value();
   const auto stl = folder.path() / "a.stl";
@@ -162,20 +146,17 @@ TEST(ExportTriangles, ThePromiseHoldsForTheDigitsOfTheFile) {
   EXPECT_FALSE(std::filesystem::exists(stl));
   EXPECT_TRUE(count_triangles(document, folder.path() / "a.obj", settings, {}).ok());
   settings.choices.to_zero = true;
-  const auto count = count_triangles(document, stl, settings, {});
-  ASSERT_TRUE(count.ok()) << to_string(count.error());
+  const auto count = test::must(count_triangles(document, stl, settings, {}));
   EXPECT_LE(count->distance, 0.01);
   EXPECT_GT(count->rounding, 0);
-  const auto report = export_triangles(document, stl, settings, {}, {});
-  ASSERT_TRUE(report.ok());
+  const auto report = test::must(export_triangles(document, stl, settings, {}, {}));
   EXPECT_NEAR((report->moved - far.translation).norm(), 0, 0.1);
   // Near enough to zero the digits are a part of what is promised.
   Similarity near = far;
   near.translation = {4000.3, 0, 0};
   settings.choices.to_zero = false;
   const Document nearer = set_transform(at_zero, at_zero.objects.front()->id, near).value();
-  const auto counted = count_triangles(nearer, stl, settings, {});
-  ASSERT_TRUE(counted.ok()) << to_string(counted.error());
+  const auto counted = test::must(count_triangles(nearer, stl, settings, {}));
   EXPECT_LE(counted->distance, 0.01);
   EXPECT_GT(counted->rounding, 1e-5);
 }

@@ -10,10 +10,8 @@
 #include "ui/view/gizmo.hpp"
 #include "ui/view/transform_tool.hpp"
 
-namespace hariko {
+namespace hariko::test {
 namespace {
-
-using test::Rig;
 
 TEST(Gizmo, AnArrowMovesAlongItsAxisOnlyAndAClickAsksForANumber) {
   Rig rig;
@@ -88,4 +86,4 @@ TEST(Gizmo, HidesWithoutASelection) {
 }
 
 }  // namespace
-}  // namespace hariko
+}  // namespace hariko::test

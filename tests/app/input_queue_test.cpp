@@ -1,7 +1,5 @@
 #include "app/input/input_queue.hpp"
 
-#include <gtest/gtest.h>
-
 #include "tests/support/random.hpp"
 
 namespace hariko {

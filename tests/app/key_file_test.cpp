@@ -40,9 +40,11 @@ TEST(KeyFile, KeysOfChangedIdsStayWithTheirCommands) {
   const auto read = read_key_file(write_key_file({{"property.preferences.turning", "Ctrl+Alt+T"},
                                                   {"property.preferences.colours", "Ctrl+Alt+C"},
                                                   {"property.preferences.colour_blind_maps", "Ctrl+Alt+M"},
+                                                  {"help.japanese", "Ctrl+Alt+J"},
                                                   {"edit.undo", "Ctrl+Z"}}));
   ASSERT_TRUE(read.ok());
   EXPECT_EQ(*read, (KeyOverrides{{"property.preferences.trackball", "Ctrl+Alt+T"},
+                                 {"language.japanese", "Ctrl+Alt+J"},
                                  {"property.preferences.colour_blind_maps", "Ctrl+Alt+M"},
                                  {"edit.undo", "Ctrl+Z"}}));
 }

@@ -6,7 +6,7 @@
 #include "tests/app/tool_rig.hpp"
 #include "tests/support/random.hpp"
 #include "tests/support/random_polyhedra.hpp"
-#include "ui/polyhedron/knife_tool.hpp"
+#include "ui/polyhedron/cutting_tools.hpp"
 
 namespace hariko {
 namespace {

@@ -1,7 +1,5 @@
 // Files of objects with live copies hold what stands at every place.
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -10,9 +8,10 @@
 #include "app/files/export_surfaces.hpp"
 #include "app/files/mesh_surfaces.hpp"
 #include "app/files/model_facets.hpp"
-#include "core/document/edits/edits.hpp"
+#include "core/modeling/objects/arrange.hpp"
 #include "tests/offset/walls.hpp"
 #include "tests/support/random_polyhedra.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace hariko {
 namespace {
@@ -31,6 +30,25 @@ Document grid_of_cups(bool live) {
   if (live)
     document = set_copies(document, id, {RowOfCopies{3, {4, 0, 0}}, RowOfCopies{2, {0, 5, 0}}}).value();
   return document;
+}
+
+/// A cup and its mirror image in an oblique plane.
+Document cup_and_image() {
+  const Document document = grid_of_cups(false);
+  return set_copies(document, document.objects[0]->id, {MirrorOfCopies{{3, 0, 1}, {1, 0.5, -0.25}}}).value();
+}
+
+/// Whether the normals of a mesh lie on the side from which its triangles are counter-clockwise.
+bool normals_look_outward(const TriangleMesh& mesh) {
+  if (mesh.normal_triangles.size() != mesh.triangles.size()) return false;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const auto& [a, b, c] = mesh.triangles[t];
+    const Vector3 outward =
+        (mesh.positions[b] - mesh.positions[a]).cross(mesh.positions[c] - mesh.positions[a]);
+    for (const Index normal : mesh.normal_triangles[t])
+      if (!(outward.dot(mesh.normals[normal]) > 0)) return false;
+  }
+  return true;
 }
 
 Document as_objects(const Document& document) {
@@ -57,12 +75,48 @@ TEST(LiveCopiesInFiles, TrianglesAtADensity) {
   }
 }
 
+TEST(LiveCopiesInFiles, TrianglesOfMirrorImagesLookOutward) {
+  const auto meshes = test::must(density_meshes(cup_and_image(), 4)),
+             objects = test::must(density_meshes(as_objects(cup_and_image()), 4));
+  ASSERT_EQ(meshes->size(), 2U);
+  const TriangleMesh &own = (*meshes)[0].mesh, &image = (*meshes)[1].mesh;
+  EXPECT_GT(test::volume(own), 0);
+  EXPECT_NEAR(test::volume(image), test::volume(own), 1e-9 * test::volume(own));
+  EXPECT_NEAR(test::volume((*objects)[1].mesh), test::volume(own), 1e-6 * test::volume(own));
+  EXPECT_TRUE(normals_look_outward(own));
+  EXPECT_TRUE(normals_look_outward(image));
+  const Similarity place = places_of(*cup_and_image().objects[0])[1],
+                   back = places_of(*cup_and_image().objects[0])[0].inverse();
+  for (std::size_t v = 0; v < own.positions.size(); ++v) {
+    const Vector3 wanted = place.apply(back.apply(own.origin + own.positions[v]));
+    EXPECT_LT((image.origin + image.positions[v] - wanted).norm(), 1e-9);
+  }
+}
+
+TEST(LiveCopiesInFiles, MirrorImagesKeepTheTolerance) {
+  MeshRequest request;
+  request.options.criteria.distance = 0.05;
+  request.errors = true;
+  const auto made = test::must(mesh_surfaces(cup_and_image(), request));
+  ASSERT_EQ(made->size(), 2U);
+  const MeshedObject &own = (*made)[0], &image = (*made)[1];
+  EXPECT_GT(own.result.distance.largest, 0);
+  EXPECT_EQ(image.result.distance.largest, own.result.distance.largest);
+  EXPECT_EQ(image.result.longest_edge, own.result.longest_edge);
+  ASSERT_TRUE(own.errors && image.errors);
+  EXPECT_EQ(image.errors->distance.largest, own.errors->distance.largest);
+  EXPECT_NEAR(test::volume(image.result.mesh), test::volume(own.result.mesh),
+              1e-9 * test::volume(own.result.mesh));
+  ASSERT_EQ(image.result.parts.size(), image.result.mesh.triangles.size());
+  for (std::size_t t = 0; t < image.result.parts.size(); ++t)
+    EXPECT_EQ(image.result.parts[t].vertex, image.result.mesh.triangles[t]);
+}
+
 TEST(LiveCopiesInFiles, TrianglesUnderTolerances) {
   MeshRequest request;
   request.options.criteria.distance = 0.05;
-  const auto one = mesh_surfaces(grid_of_cups(false), request),
-             all = mesh_surfaces(grid_of_cups(true), request);
-  ASSERT_TRUE(one.ok() && all.ok());
+  const auto one = test::must(mesh_surfaces(grid_of_cups(false), request)),
+             all = test::must(mesh_surfaces(grid_of_cups(true), request));
   ASSERT_EQ(all->size(), places_of_cups);
   for (const MeshedObject& place : *all) {
     EXPECT_EQ(place.result.mesh.triangles.size(), one->front().result.mesh.triangles.size());
@@ -79,6 +133,47 @@ TEST(LiveCopiesInFiles, FacesOfCadFiles) {
   EXPECT_EQ(all->distance, one->distance);
 }
 
+TEST(LiveCopiesInFiles, MirrorImagesAreSolidsOfCadFiles) {
+  const auto one = count_cad(grid_of_cups(false), {0.05}), both = count_cad(cup_and_image(), {0.05});
+  ASSERT_TRUE(one.ok() && both.ok());
+  EXPECT_EQ(both->faces, 2 * one->faces);
+  EXPECT_EQ(both->distance, one->distance);
+  if (why_no_cad_files()) return;
+  const test::TemporaryFolder folder;
+  for (const char* name : {"cups.step", "cups.igs"}) {
+    const auto written = export_cad(cup_and_image(), folder.path() / name, {0.05}, "2026-11-27T12:00:00");
+    ASSERT_TRUE(written.ok()) << to_string(written.error());
+    EXPECT_TRUE(written->file.valid) << name;
+    EXPECT_EQ(written->file.solids, 2U) << name;
+    EXPECT_EQ(written->file.open_shells, 0U) << name;
+  }
+}
+
+TEST(LiveCopiesInFiles, FacetsOfMirrorImagesLookOutwardOnPaper) {
+  const Document document = cup_and_image();
+  const ObjectId id = document.objects[0]->id;
+  FacetOptions options;
+  options.distance = 0.3;
+  const auto volume = [](const PolygonMesh& mesh) {
+    double out = 0;
+    for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+      const auto corners = mesh.face(f);
+      for (std::size_t i = 2; i < corners.size(); ++i)
+        out +=
+            mesh.positions[corners[0]].dot(mesh.positions[corners[i - 1]].cross(mesh.positions[corners[i]])) /
+            6;
+    }
+    return out;
+  };
+  for (const bool of_polyhedra : {false, true}) {
+    options.of_polyhedra = of_polyhedra;
+    const auto one = test::must(document_facets(grid_of_cups(false), std::span(&id, 1), options)),
+               both = test::must(document_facets(document, std::span(&id, 1), options));
+    EXPECT_GT(volume(one->mesh), 0);
+    EXPECT_NEAR(volume(both->mesh), 2 * volume(one->mesh), 1e-9 * volume(one->mesh));
+  }
+}
+
 TEST(LiveCopiesInFiles, FacetsOfPaperModelsHaveNamesOfTheirOwn) {
   const Document document = grid_of_cups(true);
   const ObjectId id = document.objects[0]->id;
@@ -86,9 +181,8 @@ TEST(LiveCopiesInFiles, FacetsOfPaperModelsHaveNamesOfTheirOwn) {
   options.distance = 0.3;
   for (const bool of_polyhedra : {false, true}) {
     options.of_polyhedra = of_polyhedra;
-    const auto one = document_facets(grid_of_cups(false), std::span(&id, 1), options),
-               all = document_facets(document, std::span(&id, 1), options);
-    ASSERT_TRUE(one.ok() && all.ok());
+    const auto one = test::must(document_facets(grid_of_cups(false), std::span(&id, 1), options)),
+               all = test::must(document_facets(document, std::span(&id, 1), options));
     EXPECT_EQ(all->mesh.face_count(), places_of_cups * one->mesh.face_count());
     ASSERT_EQ(all->names.size(), places_of_cups * one->names.size());
     EXPECT_TRUE(std::equal(one->names.begin(), one->names.end(), all->names.begin()))

@@ -3,8 +3,6 @@
 
 #include "app/engines/map_surroundings.hpp"
 
-#include <gtest/gtest.h>
-
 #include "app/engines/rebuild_engine.hpp"
 #include "app/engines/surface_builder.hpp"
 #include "core/document/edits/edits.hpp"

@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "app/files/content_ending.hpp"
 #include "app/files/export_cad.hpp"
+#include "app/files/file_kind.hpp"
 #include "app/files/open_file.hpp"
 #include "core/base/files/file_io.hpp"
 #include "core/cad/kernel/read_cad_file.hpp"

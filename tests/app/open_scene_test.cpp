@@ -1,14 +1,11 @@
 // Files with several objects, as the window and the command line open them.
 
-#include <gtest/gtest.h>
-
 #include <array>
 #include <cmath>
 
 #include "app/files/model_facets.hpp"
 #include "app/files/open_file.hpp"
 #include "core/base/files/file_io.hpp"
-#include "core/document/convert_unit.hpp"
 #include "core/exchange/mesh_file.hpp"
 #include "tests/support/random_polyhedra.hpp"
 #include "tests/support/temporary_folder.hpp"
@@ -54,8 +51,7 @@ TEST(OpenScene, ObjectsKeepNamesAndSizes) {
       const Document model = document_from_mesh(first, "one").value();
       EXPECT_NEAR(size_of(*opened.document, 0), millimetres_per(unit) * size_of(model, 0),
                   1e-6 * millimetres_per(unit));
-      const auto facets = model_facets(file, {});
-      ASSERT_TRUE(facets.ok()) << to_string(facets.error());
+      const auto facets = test::must(model_facets(file, {}));
       EXPECT_NEAR(facets->mesh.positions[0].norm(), millimetres_per(unit) * first.positions[0].norm(),
                   1e-6 * millimetres_per(unit));
     }

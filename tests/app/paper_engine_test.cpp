@@ -2,8 +2,6 @@
 
 #include "app/engines/paper_engine.hpp"
 
-#include <gtest/gtest.h>
-
 #include "core/document/edits/edit_objects.hpp"
 #include "core/document/edits/edit_paper.hpp"
 #include "tests/support/random_polyhedra.hpp"

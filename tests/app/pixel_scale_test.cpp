@@ -1,17 +1,13 @@
 // On displays of many pixels the hand must hit what the eye sees: radii, thresholds and ways follow the
 // scale.
 
-#include <gtest/gtest.h>
-
 #include "tests/app/tool_rig.hpp"
 #include "ui/polyhedron/tension_tool.hpp"
 #include "ui/view/gizmo.hpp"
 #include "ui/view/snapping.hpp"
 
-namespace hariko {
+namespace hariko::test {
 namespace {
-
-using namespace hariko::test;
 
 TEST(PixelScale, ReachesTheSceneTheGizmoAndTheThresholdOfDrags) {
   for (const double scale : {1.0, 1.5, 2.0}) {
@@ -69,4 +65,4 @@ TEST(PixelScale, ATensionDoublesOverTheSameWayOfTheHand) {
 }
 
 }  // namespace
-}  // namespace hariko
+}  // namespace hariko::test

@@ -2,8 +2,6 @@
 
 #include "ui/base/quantity.hpp"
 
-#include <gtest/gtest.h>
-
 #include "tests/support/random.hpp"
 
 namespace hariko {

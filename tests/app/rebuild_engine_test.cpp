@@ -1,7 +1,5 @@
 #include "app/engines/rebuild_engine.hpp"
 
-#include <gtest/gtest.h>
-
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <atomic>
@@ -17,7 +15,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-/// What fake builders saw and are told to do; shared with the worker, hence atomics.
+/// Orders to fake builders and counts of what they saw; shared with the worker, hence atomics.
 struct Script {
   std::atomic<int> builds = 0, drag_builds = 0, running = 0, most_running = 0;
   std::atomic<bool> fail = false, hold = false, started = false, provisional = false;
@@ -60,16 +58,14 @@ Document triangle_document() {
   PolygonMesh mesh;
   mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
   mesh.add_face({0, 1, 2});
-  auto document = document_from_mesh(mesh, "triangle");
-  EXPECT_TRUE(document.ok());
+  auto document = test::must(document_from_mesh(mesh, "triangle"));
   return document.value();
 }
 
 Document moved(const Document& document, double x) {
   const VertexId vertex{0};
   const Vector3 position(x, 0, 0);
-  auto result = move_vertices(document, document.objects[0]->id, {&vertex, 1}, {&position, 1});
-  EXPECT_TRUE(result.ok());
+  auto result = test::must(move_vertices(document, document.objects[0]->id, {&vertex, 1}, {&position, 1}));
   return result.value();
 }
 
@@ -262,8 +258,7 @@ double apart(const Surface& a, const Surface& b) {
 /// vertex of a torus was moved by a tenth of the size in `steps` steps; the pointer rests at each for `rest`
 /// seconds.
 double end_of_drag(Mode mode, int columns, int rows, int steps, double rest) {
-  auto made = document_from_mesh(test::torus(columns, rows), "torus");
-  EXPECT_TRUE(made.ok());
+  auto made = test::must(document_from_mesh(test::torus(columns, rows), "torus"));
   Document document = made.value();
   const ObjectId id = document.objects[0]->id;
   document = set_mode(set_frames(document, id, Frames::metric).value(), id, mode).value();

@@ -1,11 +1,10 @@
 #include "app/input/replay.hpp"
 
-#include <gtest/gtest.h>
-
 #include <unistd.h>
 
 #include "core/base/files/file_io.hpp"
 #include "core/document/format/format.hpp"
+#include "tests/support/must.hpp"
 
 namespace hariko {
 namespace {
@@ -40,8 +39,7 @@ TEST_F(ReplayFile, GivesBackTheSessionThatItBeganWith) {
     ASSERT_TRUE(recorder.ok());
     recorder.finish(1, Document(), 0);
   }
-  const auto replay = Replay::read(path_);
-  ASSERT_TRUE(replay.ok()) << replay.error().text;
+  const auto replay = test::must(Replay::read(path_));
   ASSERT_TRUE(replay->start.session.has_value());
   EXPECT_EQ(replay->start.session->document, start.session->document);
   EXPECT_EQ(replay->start.session->name, "Vase \xef\xbf\xbd \"1\".hariko");
@@ -73,8 +71,7 @@ TEST_F(ReplayFile, GivesBackWhatWasRecorded) {
     recorder.idle(now + 1);  // only once
     recorder.finish(now + 1, Document(), 3);
   }
-  const auto replay = Replay::read(path_);
-  ASSERT_TRUE(replay.ok()) << replay.error().text;
+  const auto replay = test::must(Replay::read(path_));
   const Replay& read = replay.value();
   EXPECT_EQ(read.start.width, 1000);
   EXPECT_EQ(read.start.height, 700);
@@ -95,8 +92,7 @@ TEST_F(ReplayFile, GivesBackWhatWasRecorded) {
 TEST(ReplayEnd, DocumentsOfEveryFormatAreCompared) {
   Replay replay;
   replay.document = R"({"format": "hariko", "version": 2, "unit": "cm", "next_object_id": 1, "objects": []})";
-  const auto centimetres = read_document(replay.document);
-  ASSERT_TRUE(centimetres.ok()) << centimetres.error().text;
+  const auto centimetres = test::must(read_document(replay.document));
   EXPECT_EQ(other_document(replay, centimetres.value()), std::nullopt);
   const auto difference = other_document(replay, Document());
   ASSERT_TRUE(difference.has_value());
@@ -115,8 +111,7 @@ TEST_F(ReplayFile, NothingIsEarlierThanTheBeginning) {
     recorder.idle(9.998);
     recorder.finish(10.5, Document(), 0);
   }
-  const auto replay = Replay::read(path_);
-  ASSERT_TRUE(replay.ok()) << replay.error().text;
+  const auto replay = test::must(Replay::read(path_));
   EXPECT_EQ(replay->steps.at(0).time, 0);
 }
 

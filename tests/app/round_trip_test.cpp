@@ -1,8 +1,6 @@
 // The samples through every format and back, as a designer does it: what was closed is closed, volumes stay,
 // and names where the format has them. All samples in long runs, which print a table.
 
-#include <gtest/gtest.h>
-
 #include <Eigen/Geometry>
 #include <cmath>
 #include <cstdio>
@@ -94,9 +92,8 @@ Whole surfaces_of(const Document& document) {
   Whole out;
   for (const auto& object : document.objects) {
     if (!object->visible || !object->has_surface()) continue;
-    const auto built = object_surface(document, *object);
-    EXPECT_TRUE(built.ok()) << to_string(built.error());
-    if (!built.ok() || built->surface.patch_count() == 0) continue;
+    const auto built = must(object_surface(document, *object));
+    if (built->surface.patch_count() == 0) continue;
     const Measures measures = measure(built->surface);
     const double scale = object->transform.scale;
     add(out, measures.volume.has_value(), measures.volume.value_or(0) * std::pow(scale, 3),
@@ -119,9 +116,7 @@ Whole opened(const Document& document) {
   for (const auto& object : document.objects) {
     out.names.insert(object->name);
     if (const BezierSource* patches = object->bezier(); patches || object->patches()) {
-      const auto built = object_surface(document, *object);
-      EXPECT_TRUE(built.ok());
-      if (!built.ok()) continue;
+      const auto built = must(object_surface(document, *object));
       const Measures measures = measure(built->surface);
       add(out, measures.volume.has_value(), measures.volume.value_or(0), measures.area);
     } else if (const PolyhedronSource* source = object->polyhedron()) {
@@ -149,8 +144,8 @@ std::vector<std::string> wanted_files() {
   return out;
 }
 
-/// How far volumes may be off: a layer over the surface, as thick as faces may be off (STEP, IGES), or as
-/// floats round (STL, glTF).
+/// Tolerance of volumes: a layer over the surface, as thick as faces may be off (STEP, IGES), or as floats
+/// round (STL, glTF).
 double layer(const fs::path& file, const Whole& was) {
   const double size = was.box.diagonal().norm();
   if (cad_format_of(file)) return 2 * usual_cad_tolerance * size;
@@ -169,8 +164,7 @@ void check(const std::string& sample, const Document& document, const Whole& sur
   } else {
     constexpr int density = 4;
     ASSERT_TRUE(export_surfaces(document, file, density).ok());
-    const auto meshes = density_meshes(document, density);
-    ASSERT_TRUE(meshes.ok());
+    const auto meshes = must(density_meshes(document, density));
     was = {};
     for (const NamedMesh& mesh : *meshes) {
       add_facets(was, facets_of(mesh.mesh));
@@ -208,8 +202,7 @@ TEST(RoundTrip, SamplesComeBackAsTheyWent) {
         "| sample | format | closed | closed, back | volume off | bytes |\n"
         "| --- | --- | --- | --- | --- | --- |\n");
   for (const std::string& sample : wanted_files()) {
-    const auto document = load_document(source_folder() + "/assets/samples/" + sample + ".hariko");
-    ASSERT_TRUE(document.ok());
+    const auto document = must(load_document(source_folder() + "/assets/samples/" + sample + ".hariko"));
     const Whole surfaces = surfaces_of(*document);
     for (const Form& form : forms) check(sample, *document, surfaces, form);
   }
@@ -242,8 +235,7 @@ TEST(RoundTrip, CappedSkinsComeBackAsPatchesAndClosed) {
       const TemporaryFolder folder;
       const fs::path first = folder.path() / ("a" + std::string(ending)),
                      second = folder.path() / ("b" + std::string(ending));
-      const auto went = export_cad(document, first, {}, "2026-11-22T12:00:00");
-      ASSERT_TRUE(went.ok()) << to_string(went.error());
+      const auto went = must(export_cad(document, first, {}, "2026-11-22T12:00:00"));
       const OpenedFile opened_file = open_file(first);
       ASSERT_TRUE(opened_file.document);
       ASSERT_EQ(opened_file.document->objects.size(), 1U);
@@ -251,8 +243,7 @@ TEST(RoundTrip, CappedSkinsComeBackAsPatchesAndClosed) {
       const Whole is = opened(*opened_file.document);
       EXPECT_EQ(is.closed, 1U);
       EXPECT_NEAR(is.volume, was.volume, 1e-4 * was.volume);
-      const auto again_written = export_cad(*opened_file.document, second, {}, "2026-11-22T12:00:00");
-      ASSERT_TRUE(again_written.ok()) << to_string(again_written.error());
+      const auto again_written = must(export_cad(*opened_file.document, second, {}, "2026-11-22T12:00:00"));
       EXPECT_EQ(again_written->file.solids, 1U);
       EXPECT_LE(double(again_written->bytes), 1.2 * double(went->bytes));
     }
@@ -264,12 +255,10 @@ void again(const std::string& name, const Document& document, const char* ending
   const TemporaryFolder folder;
   const fs::path first = folder.path() / ("a" + std::string(ending)),
                  second = folder.path() / ("b" + std::string(ending));
-  const auto went = export_cad(document, first, {}, "2026-11-22T12:00:00");
-  ASSERT_TRUE(went.ok()) << to_string(went.error());
+  const auto went = must(export_cad(document, first, {}, "2026-11-22T12:00:00"));
   const OpenedFile opened = open_file(first);
   ASSERT_TRUE(opened.document);
-  const auto back = export_cad(*opened.document, second, {}, "2026-11-22T12:00:00");
-  ASSERT_TRUE(back.ok()) << to_string(back.error());
+  const auto back = must(export_cad(*opened.document, second, {}, "2026-11-22T12:00:00"));
   EXPECT_EQ(back->file.solids, went->file.solids);
   EXPECT_EQ(back->file.open_shells, went->file.open_shells);
   EXPECT_TRUE(back->file.valid);
@@ -291,8 +280,7 @@ TEST(RoundTrip, FilesOfCadAreTheSameWhenTheyAreOpenedAndExportedAgain) {
   again("cube.obj", *cube.document, ".step");
   again("cube.obj", *cube.document, ".igs");
   for (const std::string& sample : wanted_files()) {
-    const auto document = load_document(source_folder() + "/assets/samples/" + sample + ".hariko");
-    ASSERT_TRUE(document.ok());
+    const auto document = must(load_document(source_folder() + "/assets/samples/" + sample + ".hariko"));
     again(sample, *document, ".step");
   }
 }

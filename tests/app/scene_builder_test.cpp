@@ -1,8 +1,6 @@
-// What the scene shows of objects without elements that can be selected.
+// Scene of objects without elements that can be selected.
 
 #include "ui/editor/scene_builder.hpp"
-
-#include <gtest/gtest.h>
 
 #include "core/document/edits/edits.hpp"
 #include "tests/app/tool_rig.hpp"
@@ -66,7 +64,7 @@ TEST(SceneBuilder, ControlNetsOfBezierPatches) {
   const Box3 box = world_box(*rig.editor.document().objects[0]);
   EXPECT_LE((net.origin + net.box.min() - box.min()).norm(), 1e-12);
   EXPECT_LE((net.origin + net.box.max() - box.max()).norm(), 1e-12);
-  // What is not shown is not picked.
+  // Hidden things are not picked.
   DisplaySettings display = rig.editor.document().objects[0]->display;
   display.polyhedron = false;
   rig.editor.commit(set_display(rig.editor.history.current(), rig.editor.selection.active, display), "Hide");

@@ -93,6 +93,15 @@ TEST(CommandSearch, LooksAtLabelsMenusAndHelp) {
   EXPECT_EQ(ids(search_commands(t, english, "qqq", {})), "");
 }
 
+TEST(CommandSearch, FindsOtherNamesEachAloneAndBehindLabels) {
+  CommandTable t = table();
+  t.call_also("d", "rewind, top secret");
+  const Language english;
+  EXPECT_EQ(ids(search_commands(t, english, "rewind", {})), "d");
+  EXPECT_EQ(ids(search_commands(t, english, "top", {})), "cd");
+  EXPECT_EQ(ids(search_commands(t, english, "rewind secret", {})), "") << "words of two names";
+}
+
 TEST(CommandSearch, PutsRecentOnesFirst) {
   const CommandTable t = table();
   const std::vector<std::string> recent{"d", "b", "gone"};
@@ -101,7 +110,7 @@ TEST(CommandSearch, PutsRecentOnesFirst) {
 }
 
 TEST(CommandSearch, KnowsBothLanguages) {
-  const auto japanese = Language::load(test::source_folder() + "/assets/languages/ja.json");
+  const auto japanese = Language::load(test::source_folder() + "/assets/languages/ja.po");
   ASSERT_TRUE(japanese.ok());
   CommandTable t;
   t.add(command("undo", "Edit", "Undo", ""));

@@ -5,11 +5,8 @@
 #include "ui/view/region_tool.hpp"
 #include "ui/view/transform_tool.hpp"
 
-namespace hariko {
+namespace hariko::test {
 namespace {
-
-using test::grid_document;
-using test::Rig;
 
 TEST(RegionTool, WindowTakesWhatLiesInsideAndCrossingWhatItTouches) {
   Rig rig(grid_document(4));
@@ -163,8 +160,7 @@ TEST(SelectTool, DoubleClickTakesTheLoopAndRepeatedClicksWhatLiesBehind) {
   rig.editor.mode = ElementMode::edge;
   rig.scene.update(rig.editor);
   const auto click = [&](const Vector2& pixel, int clicks) {
-    PointerEvent press;
-    press.kind = PointerEvent::Kind::press;
+    PointerEvent press{.kind = PointerEvent::Kind::press};
     press.pixel = pixel;
     press.clicks = clicks;
     rig.tool = make_select_tool();
@@ -184,8 +180,7 @@ TEST(SelectTool, DoubleClickTakesTheLoopAndRepeatedClicksWhatLiesBehind) {
   cube.editor.view.x_ray = true;
   cube.scene.update(cube.editor);
   const auto click_cube = [&] {
-    PointerEvent press;
-    press.kind = PointerEvent::Kind::press;
+    PointerEvent press{.kind = PointerEvent::Kind::press};
     press.pixel = cube.pixel({1, -1, 1});
     cube.tool = make_select_tool();
     ToolContext now = cube.context();
@@ -199,4 +194,4 @@ TEST(SelectTool, DoubleClickTakesTheLoopAndRepeatedClicksWhatLiesBehind) {
 }
 
 }  // namespace
-}  // namespace hariko
+}  // namespace hariko::test

@@ -3,10 +3,8 @@
 #include "tests/app/tool_rig.hpp"
 #include "ui/editor/selection_memory.hpp"
 
-namespace hariko {
+namespace hariko::test {
 namespace {
-
-using test::cube_document;
 
 TEST(Selection, ConvertsBetweenModes) {
   const Document document = cube_document();
@@ -70,4 +68,4 @@ TEST(SelectionMemory, KeepsWhatBelongsToStepsAndForgetsTheRest) {
 }
 
 }  // namespace
-}  // namespace hariko
+}  // namespace hariko::test

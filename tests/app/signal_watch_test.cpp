@@ -2,7 +2,6 @@
 
 #include "app/window/signal_watch.hpp"
 
-#include <gtest/gtest.h>
 #include <signal.h>
 #include <sys/wait.h>
 #include <unistd.h>

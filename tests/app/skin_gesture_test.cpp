@@ -7,12 +7,8 @@
 #include "core/skinning/edit/add_section.hpp"
 #include "tests/app/skin_rig.hpp"
 #include "ui/editor/skin_edits.hpp"
-#include "ui/skin/add_section_tool.hpp"
-#include "ui/skin/correspond_tool.hpp"
 #include "ui/skin/correspondence_drag.hpp"
-#include "ui/skin/draw_skin_tool.hpp"
-#include "ui/skin/skin_tool.hpp"
-#include "ui/skin/slide_section_tool.hpp"
+#include "ui/skin/skin_tools.hpp"
 
 namespace hariko::test {
 namespace {

@@ -16,7 +16,7 @@
 #include "core/skinning/edit/add_section.hpp"
 #include "core/skinning/edit/edit_path.hpp"
 #include "core/skinning/skin_messages.hpp"
-#include "ui/base/columns_job.hpp"
+#include "ui/base/job.hpp"
 
 namespace hariko {
 namespace {
@@ -25,7 +25,7 @@ struct JobsRig {
   Editor editor;
   BackgroundWork files{editor, {}}, edits{editor, {}};
   int added = 0;
-  SkinJobs jobs{editor, files, edits,
+  SkinJobs jobs{editor, edits,
                 [this](const char* what, const auto&) { added += std::string(what) == "section_added"; }};
 
   JobsRig() {

@@ -1,4 +1,4 @@
-// What of a skin can be taken hold of: what its surface hides cannot, unless it is seen through.
+// Sight of a skin: what its surface hides cannot be taken hold of, unless it is seen through.
 
 #include "ui/view/skin_sight.hpp"
 
@@ -7,7 +7,7 @@
 #include "core/skinning/columns/simple_skin.hpp"
 #include "tests/app/skin_rig.hpp"
 #include "tests/support/random.hpp"
-#include "ui/skin/skin_tool.hpp"
+#include "ui/skin/skin_tools.hpp"
 
 namespace hariko::test {
 namespace {
@@ -38,7 +38,7 @@ struct SightRig : SkinRig {
   }
   Projector projector() const { return {editor.camera(), editor.viewport}; }
   SkinSight sight() const { return {editor, projector(), view, object()}; }
-  /// Of the point on the curve.
+  /// Index of the handle of a section point on the curve.
   std::size_t limit(std::uint32_t id) const {
     for (std::size_t i = 0; i < view.handles.size(); ++i)
       if (view.handles[i].kind == SkinView::Handle::Kind::limit && view.handles[i].id == id) return i;

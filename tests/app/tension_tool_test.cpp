@@ -5,10 +5,8 @@
 #include "tests/app/tool_rig.hpp"
 #include "ui/polyhedron/tension_tool.hpp"
 
-namespace hariko {
+namespace hariko::test {
 namespace {
-
-using test::Rig;
 
 TEST(TensionTool, DragsInProportionAndTypesAbsolutely) {
   Rig rig;
@@ -47,4 +45,4 @@ TEST(TensionTool, DragsInProportionAndTypesAbsolutely) {
 }
 
 }  // namespace
-}  // namespace hariko
+}  // namespace hariko::test

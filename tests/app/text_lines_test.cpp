@@ -2,15 +2,11 @@
 
 #include "ui/base/text_lines.hpp"
 
-#include <gtest/gtest.h>
-
 #include "tests/support/random.hpp"
 #include "ui/base/language.hpp"
 
-namespace hariko {
+namespace hariko::test {
 namespace {
-
-using namespace hariko::test;
 
 /// Latin letters are 1 wide, Japanese characters 2.
 float width_of(std::string_view text) {
@@ -77,4 +73,4 @@ TEST(TextLines, RandomSentencesLoseNothingAndFit) {
 }
 
 }  // namespace
-}  // namespace hariko
+}  // namespace hariko::test

@@ -1,26 +1,18 @@
 #pragma once
 
-// What the tests of tools share: an editor without a window, and a tool driven as the viewport drives it.
+// Rig of the tests of tools: an editor without a window, and a tool driven as the viewport drives it.
 
 #include <GLFW/glfw3.h>
 #include <gtest/gtest.h>
 
 #include "core/document/edits/edits.hpp"
+#include "tests/support/random_polyhedra.hpp"
 #include "ui/view/tool.hpp"
 
 namespace hariko::test {
 
 inline Document cube_document() {
-  PolygonMesh mesh;
-  mesh.positions = {{-1, -1, -1}, {1, -1, -1}, {1, 1, -1}, {-1, 1, -1},
-                    {-1, -1, 1},  {1, -1, 1},  {1, 1, 1},  {-1, 1, 1}};
-  mesh.add_face({0, 3, 2, 1});
-  mesh.add_face({4, 5, 6, 7});
-  mesh.add_face({0, 1, 5, 4});
-  mesh.add_face({1, 2, 6, 5});
-  mesh.add_face({2, 3, 7, 6});
-  mesh.add_face({3, 0, 4, 7});
-  return document_from_mesh(mesh, "cube").value();
+  return document_from_mesh(cube(), "cube").value();
 }
 
 /// n x n squares of side 1 in the plane z = 0.

@@ -8,11 +8,8 @@
 #include "ui/view/transform_target.hpp"
 #include "ui/view/transform_tool.hpp"
 
-namespace hariko {
+namespace hariko::test {
 namespace {
-
-using test::grid_document;
-using test::Rig;
 
 TEST(TransformTool, TypedMovesAreExact) {
   Rig rig;
@@ -54,10 +51,8 @@ TEST(TransformTool, AttachedEndsAreTakenWhereTheyAreSeen) {
   const EdgeId edge{VertexId{0}, VertexId{1}};
   auto document = attach_edge(added.document, grid, edge,
                               *nearest_side(added.document, *added.document.find(grid), edge));
-  Similarity moved;
-  moved.translation = {0, 0, 2};
-  document = set_transform(*document, added.id, moved);
-  ASSERT_TRUE(document.ok());
+  Similarity moved{.translation = {0, 0, 2}};
+  document = test::must(set_transform(*document, added.id, moved));
   rig.editor.open(*document, {});
   rig.scene.update(rig.editor);
   rig.choose({0, 1});
@@ -349,4 +344,4 @@ TEST(TransformTool, SeveralObjectsInOneStep) {
 }
 
 }  // namespace
-}  // namespace hariko
+}  // namespace hariko::test

@@ -1,7 +1,5 @@
 #include "ui/editor/view_layout.hpp"
 
-#include <gtest/gtest.h>
-
 #include "tests/support/random.hpp"
 #include "ui/view/axis_gizmo.hpp"
 #include "ui/view/navigation.hpp"
@@ -98,8 +96,7 @@ TEST(AxisGizmo, ABallLooksFromItsSideAndFromTheOtherOneWhenItFacesUs) {
 }
 
 PointerEvent press(PointerButton button, bool shift = false, bool control = false, bool alt = false) {
-  PointerEvent event;
-  event.kind = PointerEvent::Kind::press;
+  PointerEvent event{.kind = PointerEvent::Kind::press};
   event.button = button;
   event.shift = shift;
   event.control = control;

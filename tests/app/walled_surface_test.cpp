@@ -2,13 +2,12 @@
 
 #include "app/files/walled_surface.hpp"
 
-#include <gtest/gtest.h>
-
 #include "app/files/export_cad.hpp"
 #include "app/files/export_surfaces.hpp"
 #include "app/files/mesh_surfaces.hpp"
 #include "core/document/edits/edit_objects.hpp"
 #include "tests/offset/walls.hpp"
+#include "tests/support/must.hpp"
 
 namespace hariko {
 namespace {
@@ -39,16 +38,13 @@ TEST(WalledSurface, LengthsAreTheDocuments) {
   MeshRequest request;
   request.options.criteria.distance = 0.01;
   request.wall = {0, 0.5, WallSide::both};
-  const auto made = mesh_surfaces(plate(), request);
-  ASSERT_TRUE(made.ok()) << to_string(made.error());
+  const auto made = test::must(mesh_surfaces(plate(), request));
   test::expect_watertight(made->front().result.mesh);
   EXPECT_NEAR(test::volume(made->front().result.mesh), 30 * 20 * 0.5, 1e-6);
-  const auto dense = density_meshes(plate(), 3, {}, {}, request.wall);
-  ASSERT_TRUE(dense.ok());
+  const auto dense = test::must(density_meshes(plate(), 3, {}, {}, request.wall));
   test::expect_watertight(dense->front().mesh);
   EXPECT_NEAR(test::volume(dense->front().mesh), 30 * 20 * 0.5, 1e-6);
-  const auto counted = count_cad(plate(), {1e-3}, {}, request.wall);
-  ASSERT_TRUE(counted.ok());
+  const auto counted = test::must(count_cad(plate(), {1e-3}, {}, request.wall));
   EXPECT_EQ(counted->faces, 6U);
   EXPECT_LE(counted->distance, 1e-3);
 }
@@ -61,8 +57,7 @@ TEST(WalledSurface, FoldsAreRefusedUnderTolerancesAndToldOtherwise) {
     const bool folds = offset > 1;
     const auto made = mesh_surfaces(trough(), request);
     const auto counted = count_cad(trough(), {1e-2}, {}, request.wall);
-    const auto dense = density_meshes(trough(), 8, {}, {}, request.wall);
-    ASSERT_TRUE(dense.ok());
+    const auto dense = test::must(density_meshes(trough(), 8, {}, {}, request.wall));
     EXPECT_EQ(made.ok(), !folds);
     EXPECT_EQ(counted.ok(), !folds);
     EXPECT_EQ(dense->front().warnings.size(), folds ? 1U : 0U);

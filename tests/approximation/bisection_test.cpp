@@ -1,12 +1,7 @@
 // Counts and guarantees of refinement on the reference surfaces.
 
-#include <gtest/gtest.h>
-
-#include <numbers>
-
 #include "core/approximation/approximate.hpp"
 #include "core/approximation/refinement/facet_error.hpp"
-#include "core/approximation/refinement/patch_grid_mesh.hpp"
 #include "core/base/parallel.hpp"
 #include "tests/approximation/checker.hpp"
 #include "tests/approximation/meshes.hpp"
@@ -238,7 +233,7 @@ TEST(Bisection, ManyFacetsKeepTheToleranceAsFewDo) {
   EXPECT_EQ(made[1].mesh.positions, mesh.mesh.positions);
   EXPECT_EQ(made[1].mesh.triangles, mesh.mesh.triangles);
   EXPECT_EQ(made[1].distance.facets, mesh.distance.facets);
-  // What is reported of single facets is what their surface shows.
+  // Reports of single facets are what their surface shows.
   const SurfaceSampler sampler(surface);
   MeshCriteria criteria;
   criteria.distance = 0.01 / 256;
@@ -281,9 +276,7 @@ TEST(Bisection, LimitAndCancel) {
   expect_sound(check_mesh(surface, mesh.mesh, 20, 0.1), false);
   const CancelToken cancel = CancelToken::make();
   cancel.cancel();
-  const auto cancelled = approximate(surface, by_distance(0.001), cancel);
-  ASSERT_FALSE(cancelled.ok());
-  EXPECT_EQ(cancelled.error().code, e_cancelled);
+  must_fail(approximate(surface, by_distance(0.001), cancel), e_cancelled);
   const Progress progress = Progress::make();
   EXPECT_TRUE(approximate(surface, by_distance(0.01), {}, progress).ok());
   EXPECT_DOUBLE_EQ(progress.fraction(), 1);
@@ -302,14 +295,11 @@ TEST(Bisection, Messages) {
   angle.criteria.normal_angle = 2;
   EXPECT_EQ(refused(angle), e_mesh_tolerance);
   const auto empty = approximate(weld_patches(Vector3::Zero(), {}).value(), by_distance(0.1));
-  ASSERT_FALSE(empty.ok());
-  EXPECT_EQ(empty.error().code, e_mesh_nothing);
+  must_fail(empty, e_mesh_nothing);
   BezierPatch point;
   point.degree_s = point.degree_t = 1;
   point.points.assign(4, Vector3(1, 2, 3));
-  const auto none = approximate(weld_patches(Vector3::Zero(), {point}).value(), by_distance(0.1));
-  ASSERT_FALSE(none.ok());
-  EXPECT_EQ(none.error().code, e_mesh_surface);
+  must_fail(approximate(weld_patches(Vector3::Zero(), {point}).value(), by_distance(0.1)), e_mesh_surface);
   point.points = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}};
   const auto line = approximate(weld_patches(Vector3::Zero(), {point}).value(), by_distance(0.1));
   EXPECT_TRUE(!line.ok() || !line->mesh.triangles.empty());

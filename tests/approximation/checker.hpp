@@ -1,7 +1,7 @@
 #pragma once
 
-// What a mesh over a surface must be, found without the code under test: distances by brute force over a grid
-// of boxes, from dense samples of the surface to the facets and back, and the mesh's edges by sorting.
+// Checks of a mesh over a surface without the code under test: distances by brute force over a grid of boxes,
+// from dense samples of the surface to the facets and back, and the mesh's edges by sorting.
 
 #include <gtest/gtest.h>
 
@@ -125,7 +125,7 @@ inline MeshCheck check_mesh(const Surface& surface, const TriangleMesh& mesh, in
   const TriangleGrid to_surface(dense.points, dense.triangles);
   for (const Vector3& sample : dense.points)
     out.surface_to_mesh = std::max(out.surface_to_mesh, grid.distance(sample));
-  // How far the dense mesh itself is from the surface.
+  // Distance of the dense mesh itself from the surface.
   std::mt19937_64 rng(7);
   for (int k = 0; k < 1000; ++k) {
     const double u = uniform(rng),

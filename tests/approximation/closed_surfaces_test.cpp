@@ -1,9 +1,5 @@
 // Closed surfaces, poles, joints, rational patches and the samples.
 
-#include <gtest/gtest.h>
-
-#include <filesystem>
-
 #include "core/approximation/approximate.hpp"
 #include "core/document/file.hpp"
 #include "core/modeling/surfacing/object_surfacer.hpp"
@@ -13,10 +9,8 @@
 #include "tests/support/analytic_patches.hpp"
 #include "tests/support/places.hpp"
 
-namespace hariko {
+namespace hariko::test {
 namespace {
-
-using namespace test;
 
 std::ptrdiff_t euler(const TriangleMesh& mesh) {
   std::set<std::pair<Index, Index>> edges;
@@ -243,4 +237,4 @@ INSTANTIATE_TEST_SUITE_P(All, Samples,
                                            "wheel_arch"));
 
 }  // namespace
-}  // namespace hariko
+}  // namespace hariko::test

@@ -2,8 +2,6 @@
 
 #include "core/approximation/decimation/decimate.hpp"
 
-#include <gtest/gtest.h>
-
 #include <numbers>
 
 #include "core/approximation/hausdorff_bound.hpp"
@@ -13,10 +11,8 @@
 #include "tests/approximation/meshes.hpp"
 #include "tests/approximation/surfaces.hpp"
 
-namespace hariko {
+namespace hariko::test {
 namespace {
-
-using namespace test;
 
 /// The largest distance of points on the triangles of `from` to those of `to`.
 double farthest(const TriangleMesh& from, const TriangleMesh& to, int density) {
@@ -123,8 +119,7 @@ TEST(MeshBound, IsAboveEverySampleAndTightEnough) {
 TEST(Decimate, ACubeBecomesTwelveTriangles) {
   const TriangleMesh dense = dense_cube(12);
   for (const double tolerance : {1e-5, 0.01}) {
-    const auto made = decimate(dense, by_distance(tolerance));
-    ASSERT_TRUE(made.ok());
+    const auto made = must(decimate(dense, by_distance(tolerance)));
     EXPECT_EQ(made->mesh.triangles.size(), 12U);
     EXPECT_TRUE(made->distance.certified);
     EXPECT_LE(made->distance.bound, tolerance);
@@ -140,8 +135,7 @@ TEST(Decimate, TheToleranceHoldsBothWays) {
     const Surface surface = golden_surface(name);
     const TriangleMesh dense = without_normals(tessellate(surface, repetitions(1) > 1 ? 40 : 20));
     for (const double tolerance : {0.05, 0.02}) {
-      const auto made = decimate(dense, by_distance(tolerance));
-      ASSERT_TRUE(made.ok());
+      const auto made = must(decimate(dense, by_distance(tolerance)));
       EXPECT_LT(made->mesh.triangles.size(), dense.triangles.size() / 3);
       EXPECT_TRUE(made->distance.certified);
       EXPECT_LE(made->distance.bound, tolerance);
@@ -160,8 +154,7 @@ TEST(Decimate, ClosedMeshesStayClosed) {
   const Surface surface = weld_patches(Vector3::Zero(), rational_sphere(1)).value();
   const TriangleMesh dense = without_normals(approximate(surface, by_distance(0.002))->mesh);
   expect_manifold(dense, true);
-  const auto made = decimate(dense, by_distance(0.02));
-  ASSERT_TRUE(made.ok());
+  const auto made = must(decimate(dense, by_distance(0.02)));
   EXPECT_LT(made->mesh.triangles.size(), 450U);
   expect_manifold(made->mesh, true);
   EXPECT_LE(farthest(dense, made->mesh, 2), 0.02);
@@ -175,8 +168,7 @@ TEST(Decimate, OtherCriteriaHold) {
   const std::size_t by_distance_alone = decimate(dense, options)->mesh.triangles.size();
   options.criteria.normal_angle = 12 * degrees;
   options.criteria.max_edge = 0.8;
-  const auto made = decimate(dense, options);
-  ASSERT_TRUE(made.ok());
+  const auto made = must(decimate(dense, options));
   EXPECT_GT(made->mesh.triangles.size(), by_distance_alone);
   EXPECT_LE(made->longest_edge, 0.8);
   double longest = 0;
@@ -186,8 +178,7 @@ TEST(Decimate, OtherCriteriaHold) {
   EXPECT_LE(longest, 0.8);
   MeshOptions folds;
   folds.criteria.fold_angle = 15 * degrees;
-  const auto folded = decimate(dense, folds);
-  ASSERT_TRUE(folded.ok());
+  const auto folded = must(decimate(dense, folds));
   EXPECT_LT(folded->mesh.triangles.size(), dense.triangles.size() / 2);
   EXPECT_LE(folded->fold_angle.largest, 15 * degrees);
   EXPECT_FALSE(folded->distance.certified);
@@ -215,8 +206,7 @@ TEST(Decimate, WhatIsNotManifoldStays) {
   // One triangle with two equal corners, and a vertex that nothing uses.
   mesh.triangles.push_back({0, 0, 1});
   mesh.positions.emplace_back(5, 5, 5);
-  const auto made = decimate(mesh, by_distance(0.01));
-  ASSERT_TRUE(made.ok());
+  const auto made = must(decimate(mesh, by_distance(0.01)));
   EXPECT_LT(made->mesh.triangles.size(), 60U);
   std::size_t of_three = 0;
   for (const auto& [edge, uses] : edges_of(made->mesh)) of_three += uses[0] + uses[1] == 3;
@@ -251,4 +241,4 @@ TEST(Decimate, RefusalsAndCancel) {
 }
 
 }  // namespace
-}  // namespace hariko
+}  // namespace hariko::test

@@ -2,7 +2,6 @@
 
 #include "core/approximation/deviation.hpp"
 
-#include <gtest/gtest.h>
 #include <Eigen/Geometry>
 
 #include <cmath>

@@ -2,9 +2,6 @@
 
 #include "core/approximation/error_map.hpp"
 
-#include <gtest/gtest.h>
-
-#include <numbers>
 #include <sstream>
 
 #include "core/approximation/approximate.hpp"
@@ -14,10 +11,8 @@
 #include "tests/approximation/meshes.hpp"
 #include "tests/approximation/surfaces.hpp"
 
-namespace hariko {
+namespace hariko::test {
 namespace {
-
-using namespace test;
 
 MeshApproximation mesh_with_errors(const Surface& surface, const MeshCriteria& criteria) {
   MeshOptions options;
@@ -93,8 +88,7 @@ TEST(ErrorMap, AgreesWithBruteForce) {
       SCOPED_TRACE(std::string(name) + (with_parts ? " with parts" : " without parts"));
       const auto parts =
           with_parts ? std::span<const ParameterFacet>(made.parts) : std::span<const ParameterFacet>();
-      const auto map = mesh_error_map(surface, made.mesh, parts);
-      ASSERT_TRUE(map.ok());
+      const auto map = must(mesh_error_map(surface, made.mesh, parts));
       ASSERT_EQ(map->distance.points.size(), map->samples.size());
       ASSERT_EQ(map->mesh_distance.points.size(), made.mesh.positions.size());
       ASSERT_EQ(map->fold_angle.facets.size(), made.mesh.triangles.size());
@@ -127,8 +121,7 @@ TEST(ErrorMap, FoldsAreThoseOfTheFacets) {
   MeshCriteria criteria;
   criteria.normal_angle = 12 * degrees;
   const MeshApproximation made = mesh_with_errors(surface, criteria);
-  const auto map = mesh_error_map(surface, made.mesh, made.parts);
-  ASSERT_TRUE(map.ok());
+  const auto map = must(mesh_error_map(surface, made.mesh, made.parts));
   EXPECT_NEAR(map->fold_angle.largest, made.fold_angle.largest, 1e-6);
   EXPECT_LE(map->normal_angle.largest, 12 * degrees);
   std::map<std::pair<Index, Index>, Index> first;
@@ -163,8 +156,7 @@ TEST(ErrorMap, CreasesAreNoFolds) {
     EXPECT_LE(map->distance.largest, 1e-12);
     EXPECT_LE(map->mesh_distance.largest, 1e-9);
   }
-  ErrorMapOptions all;
-  all.crease = 2;
+  ErrorMapOptions all{.crease = 2};
   EXPECT_NEAR(mesh_error_map(surface, made.mesh, made.parts, all)->fold_angle.largest, 90 * degrees, 1e-6);
 }
 
@@ -181,8 +173,7 @@ TEST(ErrorMap, OfAMeshThatKnowsNothingOfTheSurface) {
        {Vector3(-50, -50, level), Vector3(50, -50, level), Vector3(50, 50, level), Vector3(-50, 50, level)})
     plane.positions.emplace_back(corner - plane.origin);
   plane.triangles = {{0, 1, 2}, {0, 2, 3}};
-  const auto map = mesh_error_map(surface, plane);
-  ASSERT_TRUE(map.ok());
+  const auto map = must(mesh_error_map(surface, plane));
   EXPECT_NEAR(map->distance.largest, box.max().z() - level, 1e-3);
   EXPECT_NEAR(map->distance.place.z(), box.max().z(), 1e-3);
   // The plane's corners are far from the dome.
@@ -226,13 +217,6 @@ TEST(ErrorMap, TextHasALineForEveryFacetVertexAndSample) {
   EXPECT_EQ(error_csv(*map, made.mesh, surface.origin(), "", false).find("object"), std::string::npos);
 }
 
-TEST(ErrorMap, Histogram) {
-  const std::vector<float> values{0, 0.1F, 0.49F, 0.5F, 1, 3};
-  EXPECT_EQ(error_histogram(values, 1, 2), (std::vector<std::size_t>{3, 3}));
-  EXPECT_EQ(error_histogram(values, 0, 2), (std::vector<std::size_t>{6, 0}));
-  EXPECT_EQ(error_histogram({}, 1, 3), (std::vector<std::size_t>{0, 0, 0}));
-}
-
 TEST(ErrorMap, RefusalsAndCancel) {
   const Surface surface = golden_surface("dome");
   EXPECT_EQ(mesh_error_map(surface, {}).error().code, e_mesh_nothing);
@@ -245,4 +229,4 @@ TEST(ErrorMap, RefusalsAndCancel) {
 }
 
 }  // namespace
-}  // namespace hariko
+}  // namespace hariko::test

@@ -2,18 +2,14 @@
 
 #include "core/approximation/refinement/facet_queue.hpp"
 
-#include <gtest/gtest.h>
-
 #include <limits>
 #include <map>
 #include <set>
 
 #include "tests/support/random.hpp"
 
-namespace hariko {
+namespace hariko::test {
 namespace {
-
-using namespace test;
 
 std::uint64_t same_place(Index) {
   return 0;
@@ -65,4 +61,4 @@ TEST(FacetQueue, EqualErrorsComeByTheirNumbersAndEndlessOnesFirst) {
 }
 
 }  // namespace
-}  // namespace hariko
+}  // namespace hariko::test

@@ -2,20 +2,17 @@
 
 // Meshes as the tests of the approximation ask for them.
 
-#include <gtest/gtest.h>
-
 #include <numbers>
 
 #include "core/approximation/approximate.hpp"
+#include "tests/support/must.hpp"
 
 namespace hariko::test {
 
 inline constexpr double degrees = std::numbers::pi / 180;
 
 inline MeshApproximation mesh_of(const Surface& surface, const MeshOptions& options) {
-  auto made = approximate(surface, options);
-  EXPECT_TRUE(made.ok()) << (made.ok() ? "" : to_string(made.error()));
-  return made.ok() ? std::move(made).value() : MeshApproximation();
+  return must(approximate(surface, options)).value();
 }
 
 inline MeshOptions by_distance(double tolerance, SplitRule split = SplitRule::midpoint) {

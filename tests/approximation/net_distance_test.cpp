@@ -2,14 +2,10 @@
 
 #include "core/approximation/net_distance.hpp"
 
-#include <gtest/gtest.h>
-
 #include "tests/approximation/surfaces.hpp"
 
-namespace hariko {
+namespace hariko::test {
 namespace {
-
-using namespace test;
 
 BezierPatch any_patch(std::mt19937_64& rng, bool rational) {
   BezierPatch patch;
@@ -133,4 +129,4 @@ TEST(NetDistance, OnlyPolynomialsHaveNets) {
 }
 
 }  // namespace
-}  // namespace hariko
+}  // namespace hariko::test

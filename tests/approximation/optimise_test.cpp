@@ -1,7 +1,5 @@
 // Meshes with as few facets as the optimiser finds.
 
-#include <gtest/gtest.h>
-
 #include <atomic>
 #include <numbers>
 #include <thread>
@@ -34,8 +32,7 @@ TEST_P(Optimised, FewFacetsWithinTheTolerance) {
   MeshOptions options;
   options.criteria.distance = 0.01;
   options.optimise = true;
-  const auto made = approximate(surface, options);
-  ASSERT_TRUE(made.ok());
+  const auto made = must(approximate(surface, options));
   EXPECT_TRUE(made->reached());
   EXPECT_TRUE(made->distance.certified);
   EXPECT_LE(made->distance.bound, 0.01);
@@ -59,8 +56,7 @@ TEST(OptimisedMesh, ClosedSurfacesStayClosed) {
     options.criteria.distance = tolerance;
     const std::size_t plain = approximate(surface, options)->mesh.triangles.size();
     options.optimise = true;
-    const auto made = approximate(surface, options);
-    ASSERT_TRUE(made.ok());
+    const auto made = must(approximate(surface, options));
     EXPECT_TRUE(made->reached());
     EXPECT_LE(double(made->mesh.triangles.size()), (sphere ? 0.75 : 1.0) * double(plain));
     const MeshCheck check = check_mesh(surface, made->mesh, 24, tolerance);
@@ -75,8 +71,7 @@ TEST(OptimisedMesh, AllCriteriaHold) {
   options.criteria.normal_angle = 0.3;
   options.criteria.max_edge = 1.2;
   options.optimise = true;
-  const auto made = approximate(golden_surface("wave"), options);
-  ASSERT_TRUE(made.ok());
+  const auto made = must(approximate(golden_surface("wave"), options));
   EXPECT_TRUE(made->reached());
   EXPECT_LE(made->distance.bound, 0.05);
   EXPECT_LE(made->normal_angle.largest, 0.3);
@@ -94,8 +89,7 @@ TEST(OptimisedMesh, FoldsDoNotMakeItRunAway) {
     options.criteria.fold_angle = angle * std::numbers::pi / 180;
     const std::size_t plain = approximate(surface, options)->mesh.triangles.size();
     options.optimise = true;
-    const auto made = approximate(surface, options);
-    ASSERT_TRUE(made.ok());
+    const auto made = must(approximate(surface, options));
     EXPECT_TRUE(made->reached());
     EXPECT_LE(made->fold_angle.largest, *options.criteria.fold_angle * (1 + 1e-6));
     EXPECT_LT(made->mesh.triangles.size(), plain);
@@ -113,8 +107,7 @@ TEST(BalancedMesh, TheSurfacePassesThroughTheMiddle) {
   options.optimise = true;
   const auto optimised = approximate(surface, options);
   options.balanced = true;
-  const auto made = approximate(surface, options);
-  ASSERT_TRUE(made.ok());
+  const auto made = must(approximate(surface, options));
   EXPECT_TRUE(made->reached());
   EXPECT_TRUE(made->distance.certified);
   EXPECT_LE(made->distance.bound, tolerance);
@@ -133,8 +126,7 @@ TEST(BalancedMesh, OnlyWhereTheSurfaceBendsOneWay) {
     MeshOptions options;
     options.criteria.distance = 0.05;
     options.balanced = true;
-    const auto made = approximate(surface, options);
-    ASSERT_TRUE(made.ok());
+    const auto made = must(approximate(surface, options));
     ASSERT_FALSE(made->warnings.empty());
     EXPECT_EQ(made->warnings[0].code, w_mesh_balanced);
     EXPECT_LE(made->distance.bound, 0.05);
@@ -144,8 +136,7 @@ TEST(BalancedMesh, OnlyWhereTheSurfaceBendsOneWay) {
   options.criteria.distance = 0.1;
   options.criteria.normal_angle = 0.3;
   options.balanced = true;
-  const auto made = approximate(golden_surface("dome"), options);
-  ASSERT_TRUE(made.ok());
+  const auto made = must(approximate(golden_surface("dome"), options));
   EXPECT_FALSE(made->warnings.empty());
   EXPECT_LE(made->normal_angle.largest, 0.3);
 }
@@ -182,9 +173,7 @@ TEST(OptimisedMesh, CanBeCancelled) {
   options.optimise = true;
   const CancelToken cancel = CancelToken::make();
   cancel.cancel();
-  const auto made = approximate(golden_surface("wave"), options, cancel);
-  ASSERT_FALSE(made.ok());
-  EXPECT_EQ(made.error().code, e_cancelled);
+  must_fail(approximate(golden_surface("wave"), options, cancel), e_cancelled);
 }
 
 }  // namespace

@@ -2,8 +2,6 @@
 
 #include "core/approximation/refinement/cell_sizes.hpp"
 
-#include <gtest/gtest.h>
-
 #include "tests/approximation/checker.hpp"
 #include "tests/approximation/meshes.hpp"
 #include "tests/approximation/surfaces.hpp"

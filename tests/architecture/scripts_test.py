@@ -1,4 +1,4 @@
-"""scripts/structure.py and scripts/architecture_figure.py count and draw what is there, in a small tree.
+"""scripts/structure.py and scripts/architecture_figure.py count and draw what is there, in small trees.
 
   scripts_test.py SCRIPTS    the folder of both scripts"""
 
@@ -9,14 +9,14 @@ import sys
 import tempfile
 
 HEADER = """#pragma once
-// Of all things; { not a block
+// All things; { not a block
 #include "core/base/b.hpp"
 namespace n {
 enum class Kind : unsigned char { one, two };
 template <class T>
 struct Fine final : Base<T> {
   Fine() : first_{1}, second_(2) { f(); }
-  std::vector<int> values{1, 2};  ///< of each
+  std::vector<int> values{1, 2};  ///< each
 };
 auto f(const Fine<int>& x, std::vector<int> z = {1, 2}) -> std::vector<int>;
 void g(double);
@@ -82,8 +82,31 @@ def check_structure(scripts, root):
     assert row(table, "dynamic_casts") == ["1"] and row(table, "names declared in two headers") == ["1"], table
     assert "n::Fine (type)  core/a/a.hpp, core/base/b.hpp" in table, table
     assert "n::g (function)  core/a/a.hpp, core/base/b.hpp" in table and "n::Forward" not in table, table
-    assert row(table, "comments that begin with Of, What, Who, Which, That") == ["1"], table
-    assert row(table, "comments behind code that begin with of, what, who ...") == ["1"], table
+
+
+def check_comments(scripts, root):
+    """Lines that go on, strings and numbers are no beginnings of comments."""
+    assert run(scripts, "structure.py", root, "--comments") == (0, "", "")
+    write(root, {"bench/b.cpp": """// Sums
+// of all, officially.
+int a = 1'000;  ///< count
+                ///< of all
+/// When a is known.
+double b = 'x';  // which is b
+// Where they meet.
+const char *c = "// what", *d = "\\"// how";
+const char* e = R"x(
+// Of text
+")x";
+f();  // wherever
+""", "shaders/s.glsl": "//Whose s is it?\nuniform float s;\n"})
+    code, found, errors = run(scripts, "structure.py", root, "--comments")
+    assert code == 1 and not errors, errors
+    assert found == """bench/b.cpp:5: /// When a is known.
+bench/b.cpp:6: // which is b
+bench/b.cpp:7: // Where they meet.
+shaders/s.glsl:1: //Whose s is it?
+""", found
 
 
 def check_figure(scripts, root):
@@ -107,6 +130,8 @@ def main():
         write(root, TREE)
         check_structure(sys.argv[1], root)
         check_figure(sys.argv[1], root)
+    with tempfile.TemporaryDirectory() as root:
+        check_comments(sys.argv[1], root)
 
 
 if __name__ == "__main__":

@@ -1,7 +1,5 @@
 #include "core/base/text/base64.hpp"
 
-#include <gtest/gtest.h>
-
 #include "tests/support/random.hpp"
 
 namespace hariko {

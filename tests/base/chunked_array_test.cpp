@@ -1,7 +1,5 @@
 #include "core/base/chunked_array.hpp"
 
-#include <gtest/gtest.h>
-
 #include <numeric>
 #include <set>
 

@@ -1,7 +1,5 @@
 #include "core/base/disjoint_sets.hpp"
 
-#include <gtest/gtest.h>
-
 #include "tests/support/random.hpp"
 
 namespace hariko::test {

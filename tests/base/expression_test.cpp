@@ -1,7 +1,5 @@
 #include "core/base/text/expression.hpp"
 
-#include <gtest/gtest.h>
-
 #include <clocale>
 #include <cmath>
 #include <locale>
@@ -46,8 +44,7 @@ TEST(Expression, AUnitMultipliesTheTermOnItsLeft) {
   EXPECT_EQ(value_of("-3 cm"), -30);
   EXPECT_EQ(value_of("(1+1)cm"), 20);
   EXPECT_DOUBLE_EQ(value_of("1in+2cm-4mm"), 25.4 + 20 - 4);
-  const auto angle = evaluate("90deg", angle_units);
-  ASSERT_TRUE(angle.ok());
+  const auto angle = test::must(evaluate("90deg", angle_units));
   EXPECT_EQ(*angle, 90);
   EXPECT_EQ(*evaluate("45°", angle_units), 45);
   EXPECT_NEAR(*evaluate("pi rad", angle_units), 180, 1e-12);

@@ -1,6 +1,5 @@
 #include "core/base/files/file_io.hpp"
 
-#include <gtest/gtest.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -10,13 +9,8 @@
 #include "tests/support/failing_layer.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace hariko {
+namespace hariko::test {
 namespace {
-
-using test::FailingLayer;
-using test::slurp;
-using test::spill;
-using test::TemporaryFolder;
 
 std::size_t file_count(const std::filesystem::path& folder) {
   std::size_t count = 0;
@@ -171,4 +165,4 @@ TEST(Printable, KeepsUtf8AndReplacesTheRest) {
 }
 
 }  // namespace
-}  // namespace hariko
+}  // namespace hariko::test

@@ -1,7 +1,5 @@
 #include "core/base/files/file_uri.hpp"
 
-#include <gtest/gtest.h>
-
 #include "tests/support/random.hpp"
 
 namespace hariko {

@@ -1,7 +1,5 @@
 #include "core/base/parallel.hpp"
 
-#include <gtest/gtest.h>
-
 #include <atomic>
 #include <mutex>
 #include <set>

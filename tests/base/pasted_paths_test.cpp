@@ -2,8 +2,6 @@
 
 #include "core/base/files/pasted_paths.hpp"
 
-#include <gtest/gtest.h>
-
 #include "core/base/files/file_ending.hpp"
 #include "core/base/files/file_uri.hpp"
 #include "tests/support/random.hpp"
@@ -62,8 +60,7 @@ TEST(PastedPaths, ANameWithoutAPlaceIsRefusedWithASentence) {
   for (const char* text : {"file:///a%zz.png", "file:///a%0.png", "file:///a%00.png"})
     EXPECT_NE(why_no_place(text).find("escapes"), std::string::npos) << text;
   const auto homeless = pasted_paths("~/a.png", {}, known_ending);
-  ASSERT_FALSE(homeless.ok());
-  EXPECT_EQ(homeless.error().code, e_pasted_path);
+  test::must_fail(homeless, e_pasted_path);
   EXPECT_FALSE(homeless.error().remedy.empty());
 }
 
@@ -80,8 +77,7 @@ TEST(PastedPaths, AddressesOfAnyNameComeBackAndAnyTextIsJudged) {
     for (int i = test::uniform_int(rng, 0, 30); i > 0; --i)
       name += static_cast<char>(test::uniform_int(rng, 1, 255));
     name += "a.png";
-    const auto read = pasted(file_uri(name));
-    ASSERT_TRUE(read.ok()) << to_string(read.error());
+    const auto read = test::must(pasted(file_uri(name)));
     ASSERT_EQ(*read, Paths{name});
     std::string text = "file:///a%20b.png\n'~/c.obj'\nhttps://d/e.png";
     for (int i = test::uniform_int(rng, 1, 8); i > 0; --i)

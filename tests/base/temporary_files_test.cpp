@@ -3,7 +3,6 @@
 #include "core/base/files/temporary_files.hpp"
 
 #include <fcntl.h>
-#include <gtest/gtest.h>
 #include <sys/file.h>
 #include <sys/wait.h>
 #include <unistd.h>

@@ -1,13 +1,12 @@
-#include <gtest/gtest.h>
-
-#include <limits>
 #include <map>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "core/base/cancellation.hpp"
 #include "core/base/flat_map.hpp"
 #include "core/base/ids.hpp"
+#include "core/base/index_list.hpp"
 #include "core/base/message.hpp"
 #include "core/base/result.hpp"
 #include "tests/support/random.hpp"
@@ -63,6 +62,41 @@ TEST(Message, AsText) {
             "E_TEST (face 3): The face has 2 corners. Add one.");
   EXPECT_EQ(to_string(make_warning({"W_TEST"}, "Careful.")), "W_TEST: Careful.");
   EXPECT_EQ(make_warning({"W_TEST"}, "Careful.").severity, Severity::warning);
+}
+
+TEST(Message, CountsAndNumbersInSentences) {
+  EXPECT_EQ(counted(0, " face", " faces"), "0 faces");
+  EXPECT_EQ(counted(1, " face", " faces"), "1 face");
+  EXPECT_EQ(counted(12, " face", " faces"), "12 faces");
+  EXPECT_EQ(rounded_text(1234.5, 3), "1.23e+03");
+  EXPECT_EQ(rounded_text(0.123456, 4), "0.1235");
+  EXPECT_EQ(rounded_text(2, 3), "2");
+}
+
+TEST(IndexList, AscendsFromItsFirst) {
+  EXPECT_EQ(ascending_indices(3), (std::vector<Index>{0, 1, 2}));
+  EXPECT_EQ(ascending_indices(2, 7), (std::vector<Index>{7, 8}));
+  EXPECT_TRUE(ascending_indices(0).empty());
+}
+
+TEST(IndexList, EqualRanksStayInOrder) {
+  const std::vector<double> rank{2, 1, 2, 1};
+  const auto order = stable_order(4, [&](Index a, Index b) { return rank[a] < rank[b]; });
+  EXPECT_EQ(order, (std::vector<Index>{1, 3, 0, 2}));
+}
+
+TEST(IndexList, RepetitionsGo) {
+  std::vector<Index> values{3, 1, 3, 2, 1};
+  sort_unique(values);
+  EXPECT_EQ(values, (std::vector<Index>{1, 2, 3}));
+  std::vector<Index> loop{5, 5, 7, 7, 5, 8, 5};
+  remove_repeats(loop);
+  EXPECT_EQ(loop, (std::vector<Index>{5, 7, 5, 8}));
+  std::vector<Index> same{4, 4, 4}, none;
+  remove_repeats(same);
+  remove_repeats(none);
+  EXPECT_EQ(same, (std::vector<Index>{4}));
+  EXPECT_TRUE(none.empty());
 }
 
 TEST(Ids, EdgesHaveNoDirection) {

@@ -2,8 +2,6 @@
 
 #include "core/cad/fit/bezier_joint.hpp"
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
 
 #include "core/cad/cad_measure.hpp"
@@ -89,8 +87,7 @@ TEST(BezierJoint, PiecesOfASplineBecomeThatSpline) {
     std::vector<BezierPatch> patches = pieces_of(spline);
     std::shuffle(patches.begin(), patches.end(), rng);
     const Surface surface = weld_patches(Vector3::Zero(), patches).value();
-    const auto model = make_cad_model(surface);
-    ASSERT_TRUE(model.ok());
+    const auto model = must(make_cad_model(surface));
     ASSERT_EQ(model->faces.size(), 1U);
     EXPECT_TRUE(model->faces[0].exact);
     const SplineSurface& back = model->faces[0].surface;

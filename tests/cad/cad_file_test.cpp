@@ -2,8 +2,6 @@
 
 #include "core/cad/kernel/cad_file.hpp"
 
-#include <gtest/gtest.h>
-
 #include <cstdio>
 #include <numbers>
 
@@ -193,8 +191,7 @@ CadFile written_object(const CadObject& object, const std::filesystem::path& pat
 }
 
 void round_trip(const std::string& name, const Surface& surface, CadFormat format) {
-  const auto model = make_cad_model(surface);
-  ASSERT_TRUE(model.ok());
+  const auto model = must(make_cad_model(surface));
   const TemporaryFolder folder;
   const auto path = folder.path() / (format == CadFormat::iges ? "a.iges" : "a.step");
   const CadFile file = written_object({"part", &*model}, path, {.format = format});
@@ -255,8 +252,7 @@ TEST(CadFile, Ap242IsReadAsWell) {
 TEST(CadFile, UnitsNamesAndColoursAreKept) {
   const auto produced = surfaces_of({"wheel_arch"});
   ASSERT_FALSE(produced.empty());
-  const auto model = make_cad_model(produced[0].surface);
-  ASSERT_TRUE(model.ok());
+  const auto model = must(make_cad_model(produced[0].surface));
   GProp_GProps wanted;
   const TemporaryFolder folder;
   double area = 0;
@@ -281,13 +277,11 @@ TEST(CadFile, UnitsNamesAndColoursAreKept) {
 TEST(CadFile, SameInputSameBytes) {
   const auto produced = surfaces_of({"cube_crease"});
   ASSERT_EQ(produced.size(), 1U);
-  const auto model = make_cad_model(produced[0].surface);
-  ASSERT_TRUE(model.ok());
+  const auto model = must(make_cad_model(produced[0].surface));
   for (const CadFormat format : {CadFormat::step_ap214, CadFormat::iges}) {
     const CadObject object{"cube", &*model};
-    const auto one = make_cad_file(std::span(&object, 1), {.format = format}),
-               two = make_cad_file(std::span(&object, 1), {.format = format});
-    ASSERT_TRUE(one.ok() && two.ok());
+    const auto one = must(make_cad_file(std::span(&object, 1), {.format = format})),
+               two = must(make_cad_file(std::span(&object, 1), {.format = format}));
     EXPECT_EQ(one->bytes, two->bytes);
   }
 }

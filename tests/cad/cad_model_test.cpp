@@ -1,7 +1,5 @@
 #include "core/cad/cad_model.hpp"
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <numbers>
 
@@ -29,10 +27,9 @@ Vector3 start_of_side(const CadModel& model, Index face, int side) {
 }
 
 TEST(CadModel, FacesShareEdgesAndVerticesBitForBit) {
-  std::size_t compared = 0;  // of edges whose faces have no further knots along them
+  std::size_t compared = 0;  // edges whose faces have no further knots along them
   for_produced([&](const Surface& surface) {
-    const auto made = make_cad_model(surface);
-    ASSERT_TRUE(made.ok());
+    const auto made = must(make_cad_model(surface));
     const CadModel& model = *made;
     EXPECT_EQ(model.closed(), is_closed(surface));
     for (const CadEdge& edge : model.edges) {
@@ -71,8 +68,7 @@ TEST(CadModel, FacesShareEdgesAndVerticesBitForBit) {
 
 TEST(CadModel, KeepsTheToleranceAndStaysSmooth) {
   for_produced([](const Surface& surface) {
-    const auto model = make_cad_model(surface);
-    ASSERT_TRUE(model.ok());
+    const auto model = must(make_cad_model(surface));
     const CadMeasure measure = measure_cad(surface, *model);
     EXPECT_LE(measure.largest, usual_cad_tolerance * model->size);
     EXPECT_LE(measure.normal_jump, usual_cad_angle) << "edge " << measure.jump_edge;
@@ -103,8 +99,7 @@ TEST(CadModel, FitsKeepTheVolume) {
   for (const WantedSample& wanted : {WantedSample{"cube"}, WantedSample{"cube", Mode::g2}}) {
     const auto produced = surfaces_of(wanted);
     ASSERT_EQ(produced.size(), 1U);
-    const auto model = make_cad_model(produced[0].surface);
-    ASSERT_TRUE(model.ok());
+    const auto model = must(make_cad_model(produced[0].surface));
     const std::optional<double> volume = measure(produced[0].surface).volume;
     ASSERT_TRUE(volume.has_value());
     EXPECT_NEAR(volume_of(*model) / *volume, 1, 1e-5);
@@ -115,8 +110,7 @@ TEST(CadModel, CornersCostFewKnots) {
   // Curves that meet in a corner without a common quadratic form would crowd knots there.
   const auto produced = surfaces_of({"car"});
   ASSERT_EQ(produced.size(), 1U);
-  const auto model = make_cad_model(produced[0].surface, {.tolerance = 0.01});
-  ASSERT_TRUE(model.ok());
+  const auto model = must(make_cad_model(produced[0].surface, {.tolerance = 0.01}));
   const CadMeasure measured = measure_cad(produced[0].surface, *model);
   // Knots are halved at thresholds: builds that round differently differ by up to a tenth.
   EXPECT_LE(measured.control_points, 9000U);
@@ -129,8 +123,7 @@ TEST(CadModel, DistancesAreNotOverestimatedWhereDerivativesJump) {
   // foot.
   const auto produced = surfaces_of({"car"});
   ASSERT_EQ(produced.size(), 1U);
-  const auto model = make_cad_model(produced[0].surface);
-  ASSERT_TRUE(model.ok());
+  const auto model = must(make_cad_model(produced[0].surface));
   for (const CadFace& face : model->faces) EXPECT_TRUE(face.reached);
   EXPECT_LE(measure_cad(produced[0].surface, *model).largest, usual_cad_tolerance * model->size);
 }
@@ -141,8 +134,7 @@ TEST(CadModel, TighterTolerancesGiveNearerFaces) {
   std::size_t before = 0;
   for (const double tolerance : {1e-3, 1e-4, 1e-5}) {
     const auto model =
-        make_cad_model(produced[0].surface, {.tolerance = tolerance, .share = 0, .angle = 0.1});
-    ASSERT_TRUE(model.ok());
+        must(make_cad_model(produced[0].surface, {.tolerance = tolerance, .share = 0, .angle = 0.1}));
     const CadMeasure measure = measure_cad(produced[0].surface, *model);
     EXPECT_LE(measure.largest, tolerance);
     EXPECT_GT(measure.control_points, before);
@@ -153,8 +145,7 @@ TEST(CadModel, TighterTolerancesGiveNearerFaces) {
 TEST(CadModel, FacesOfFourSidesAreOneFaceEach) {
   const auto smooth = surfaces_of({"cube", Mode::g2}), split = surfaces_of({"cube"});
   ASSERT_TRUE(smooth.size() == 1 && split.size() == 1);
-  const auto model = make_cad_model(smooth[0].surface);
-  ASSERT_TRUE(model.ok());
+  const auto model = must(make_cad_model(smooth[0].surface));
   EXPECT_EQ(model->faces.size(), 6U);
   EXPECT_EQ(model->edges.size(), 12U);
   EXPECT_EQ(model->vertices.size(), 8U);
@@ -194,8 +185,7 @@ TEST(CadModel, AnglesAreMetAndCostKnots) {
   std::size_t before = 0;
   for (const double angle : {1.0, 0.2, 0.02}) {
     const auto model =
-        make_cad_model(produced[0].surface, {.tolerance = 0.05, .share = 0, .angle = angle * degree});
-    ASSERT_TRUE(model.ok());
+        must(make_cad_model(produced[0].surface, {.tolerance = 0.05, .share = 0, .angle = angle * degree}));
     const CadMeasure measure = measure_cad(produced[0].surface, *model);
     EXPECT_LE(measure.normal_jump, angle * degree);
     EXPECT_GE(measure.control_points, before);
@@ -210,8 +200,7 @@ TEST(CadModel, FacesOfModeG2HaveCurvaturesInCommon) {
     const auto produced = surfaces_of({name, Mode::g2});
     ASSERT_EQ(produced.size(), 1U);
     const auto model =
-        make_cad_model(produced[0].surface, {.tolerance = 1e-3, .share = 1e-5, .angle = 0.02 * degree});
-    ASSERT_TRUE(model.ok());
+        must(make_cad_model(produced[0].surface, {.tolerance = 1e-3, .share = 1e-5, .angle = 0.02 * degree}));
     const CadMeasure measure = measure_cad(produced[0].surface, *model);
     EXPECT_LE(measure.curvature_jump, 0.02);
     EXPECT_LE(measure.normal_jump, 0.02 * degree);
@@ -235,8 +224,7 @@ TEST(CadModel, TiesOfCurvatureCostLittleWhereFacesAllButFold) {
 TEST(CadModel, BendTiesReadTheCurvatureAcrossASide) {
   const auto produced = surfaces_of({"torus", Mode::g2});
   ASSERT_EQ(produced.size(), 1U);
-  const auto model = make_cad_model(produced[0].surface);
-  ASSERT_TRUE(model.ok());
+  const auto model = must(make_cad_model(produced[0].surface));
   const SplineSurface& face = model->faces[0].surface;
   const SplineEvaluator spline(face);
   for (int side = 0; side < 4; ++side)
@@ -260,9 +248,8 @@ TEST(CadModel, BendTiesReadTheCurvatureAcrossASide) {
 TEST(CadModel, ExactFacesStayWhereTheyAreAskedFor) {
   const auto produced = surfaces_of({"cube", Mode::paper});
   ASSERT_EQ(produced.size(), 1U);
-  const auto fitted = make_cad_model(produced[0].surface),
-             exact = make_cad_model(produced[0].surface, {.exact = true});
-  ASSERT_TRUE(fitted.ok() && exact.ok());
+  const auto fitted = must(make_cad_model(produced[0].surface)),
+             exact = must(make_cad_model(produced[0].surface, {.exact = true}));
   EXPECT_LE(measure_cad(produced[0].surface, *fitted).control_points,
             measure_cad(produced[0].surface, *exact).control_points);
 }
@@ -272,8 +259,7 @@ TEST(CadModel, FacesStayWholeWhereThatIsAskedFor) {
   ASSERT_EQ(produced.size(), 1U);
   const Surface& surface = produced[0].surface;
   for (const double share : {1e-3, 2e-4}) {
-    const auto model = make_cad_model(surface, {.share = share, .angle = degree, .whole_faces = true});
-    ASSERT_TRUE(model.ok());
+    const auto model = must(make_cad_model(surface, {.share = share, .angle = degree, .whole_faces = true}));
     EXPECT_EQ(model->faces.size(), 6U);
     EXPECT_LE(measure_cad(surface, *model).largest, share * model->size);
   }
@@ -283,8 +269,7 @@ TEST(CadModel, PolynomialPatchesAreExact) {
   for (const WantedSample& wanted : {WantedSample{"wheel_arch"}, WantedSample{"skin_smooth"}}) {
     for (const Produced& produced : surfaces_of(wanted)) {
       if (produced.surface.domain() != Domain::square) continue;
-      const auto model = make_cad_model(produced.surface);
-      ASSERT_TRUE(model.ok());
+      const auto model = must(make_cad_model(produced.surface));
       const CadMeasure measure = measure_cad(produced.surface, *model, 9);
       EXPECT_EQ(measure.exact, model->faces.size()) << produced.name;
       EXPECT_LE(measure.largest, 1e-12 * model->size);
@@ -295,8 +280,7 @@ TEST(CadModel, PolynomialPatchesAreExact) {
 TEST(CadModel, RegularFacesAreMergedIntoRectangles) {
   const auto produced = surfaces_of({"skin_smooth"});
   ASSERT_EQ(produced.size(), 1U);
-  const auto model = make_cad_model(produced[0].surface);
-  ASSERT_TRUE(model.ok());
+  const auto model = must(make_cad_model(produced[0].surface));
   // A tube of patches that all are one spline: two halves.
   EXPECT_LE(model->faces.size(), 4U);
   EXPECT_GT(produced[0].surface.patch_count(), 20U);
@@ -305,8 +289,7 @@ TEST(CadModel, RegularFacesAreMergedIntoRectangles) {
 TEST(CadModel, NeighboursOfDividedSidesAreDivided) {
   const auto produced = surfaces_of({"skin_merge_inside"});
   ASSERT_EQ(produced.size(), 1U);
-  const auto model = make_cad_model(produced[0].surface);
-  ASSERT_TRUE(model.ok());
+  const auto model = must(make_cad_model(produced[0].surface));
   // Each edge runs between two vertices that no other edge passes through: Euler's number is the surface's.
   const std::ptrdiff_t euler = std::ptrdiff_t(model->vertices.size()) - std::ptrdiff_t(model->edges.size()) +
                                std::ptrdiff_t(model->faces.size());
@@ -330,9 +313,7 @@ TEST(CadModel, SameForAnyNumberOfThreadsAndCanBeCancelled) {
     EXPECT_EQ(one->faces[f].surface.points, two->faces[f].surface.points);
   const CancelToken cancel = CancelToken::make();
   cancel.cancel();
-  const auto none = make_cad_model(produced[0].surface, {}, cancel);
-  ASSERT_FALSE(none.ok());
-  EXPECT_EQ(none.error().code, e_cancelled);
+  must_fail(make_cad_model(produced[0].surface, {}, cancel), e_cancelled);
 }
 
 }  // namespace

@@ -2,18 +2,15 @@
 
 #include "core/cad/cad_shells.hpp"
 
-#include <gtest/gtest.h>
-
 #include "core/analysis/measures.hpp"
 #include "tests/cad/round_boxes.hpp"
+#include "tests/support/must.hpp"
 
 namespace hariko::test {
 namespace {
 
 std::vector<CadShell> shells_of(const std::vector<RoundBox>& boxes) {
-  const auto model = make_cad_model(surface_of(boxes), {.exact = true});
-  EXPECT_TRUE(model.ok());
-  return model.ok() ? cad_shells(*model) : std::vector<CadShell>();
+  return cad_shells(*must(make_cad_model(surface_of(boxes), {.exact = true})));
 }
 
 /// Sizes of the boxes that shells hollow, by the size of the box, both from their volumes; 0 for none.
@@ -81,8 +78,7 @@ TEST(CadShells, OpenSurfacesAreNoVoids) {
   auto inner = patches_of({0.5, Vector3::Zero(), true});
   inner.pop_back();
   patches.insert(patches.end(), inner.begin(), inner.end());
-  const auto model = make_cad_model(weld_patches(Vector3::Zero(), patches).value(), {.exact = true});
-  ASSERT_TRUE(model.ok());
+  const auto model = must(make_cad_model(weld_patches(Vector3::Zero(), patches).value(), {.exact = true}));
   const auto shells = cad_shells(*model);
   ASSERT_EQ(shells.size(), 2U);
   EXPECT_EQ(int(shells[0].closed) + int(shells[1].closed), 1);

@@ -1,13 +1,12 @@
 #include "core/cad/kernel/cad_text.hpp"
 
-#include <gtest/gtest.h>
-
 #include <cstdio>
 #include <string>
 #include <vector>
 
 #include "core/cad/kernel/cad_letters.hpp"
 #include "core/cad/kernel/read_cad_file.hpp"
+#include "tests/support/must.hpp"
 
 namespace hariko::test {
 namespace {
@@ -18,15 +17,13 @@ constexpr const char* small_step =
     "DATA;\n#1=CARTESIAN_POINT('',(0.,0.,0.));\nENDSEC;\nEND-ISO-10303-21;\n";
 
 TEST(CadText, WholeStepFilesAreAccepted) {
-  const auto whole = check_step_text(small_step);
-  ASSERT_TRUE(whole);
+  const auto whole = must(check_step_text(small_step));
   EXPECT_EQ(whole->end, std::string(small_step).size());
   EXPECT_FALSE(whole->more_follows);
 }
 
 TEST(CadText, WhatFollowsTheEndOfStepIsCutOffAndSaid) {
-  const auto text = step_text_of(std::string(small_step) + "what follows");
-  ASSERT_TRUE(text);
+  const auto text = must(step_text_of(std::string(small_step) + "what follows"));
   EXPECT_EQ(text->text, small_step);
   ASSERT_EQ(text->warnings.size(), 1U);
   EXPECT_EQ(text->warnings[0].code, w_cad_behind);
@@ -76,16 +73,14 @@ TEST(CadText, WholeIgesFilesAreAccepted) {
   std::string windows = joined(small_iges());
   for (std::size_t at = 0; (at = windows.find('\n', at)) != std::string::npos; at += 2)
     windows.insert(at, "\r");
-  const auto checked = check_iges_text(windows + "\r\n\x1a");
-  ASSERT_TRUE(checked);
+  const auto checked = must(check_iges_text(windows + "\r\n\x1a"));
   EXPECT_TRUE(checked->counts_agree);
   EXPECT_FALSE(checked->more_follows);
 }
 
 TEST(CadText, IgesWithTextBehindItsEndIsReadWithAWarning) {
   const std::string whole = joined(small_iges());
-  const auto text = iges_text_of(whole + "left by the exporter\n");
-  ASSERT_TRUE(text);
+  const auto text = must(iges_text_of(whole + "left by the exporter\n"));
   EXPECT_TRUE(text->changed);
   EXPECT_EQ(text->text, whole);
   ASSERT_EQ(text->warnings.size(), 1U);
@@ -95,8 +90,7 @@ TEST(CadText, IgesWithTextBehindItsEndIsReadWithAWarning) {
 TEST(CadText, IgesWhoseLastLineCountsTooManyIsReadWithAWarning) {
   auto lines = small_iges();
   lines.back() = iges_line("S      3G      1D      4P     17", 'T', 1);
-  const auto text = iges_text_of(joined(lines));
-  ASSERT_TRUE(text);
+  const auto text = must(iges_text_of(joined(lines)));
   ASSERT_EQ(text->warnings.size(), 1U);
   EXPECT_EQ(text->warnings[0].code, w_cad_counts);
   // Lines of parameters that the directory counts, and directories that parameters name, are missed.
@@ -112,14 +106,12 @@ TEST(CadText, ByteOrderMarksAreSkippedWithAWarning) {
   std::string wide = "\xff\xfe";
   for (const char c : std::string(small_step)) (wide += c) += '\0';
   for (const std::string& marked : {mark + small_step, wide}) {
-    const auto text = step_text_of(marked);
-    ASSERT_TRUE(text);
+    const auto text = must(step_text_of(marked));
     EXPECT_EQ(text->text, small_step);
     ASSERT_EQ(text->warnings.size(), 1U);
     EXPECT_EQ(text->warnings[0].code, w_cad_mark);
   }
-  const auto iges = iges_text_of(mark + joined(small_iges()));
-  ASSERT_TRUE(iges);
+  const auto iges = must(iges_text_of(mark + joined(small_iges())));
   EXPECT_TRUE(iges->changed);
   EXPECT_EQ(iges->text, joined(small_iges()));
 }

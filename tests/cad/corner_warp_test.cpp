@@ -2,8 +2,6 @@
 
 #include "core/cad/corner_warp.hpp"
 
-#include <gtest/gtest.h>
-
 #include <cmath>
 #include <numbers>
 #include <tuple>
@@ -72,15 +70,11 @@ TEST(CornerWarp, DerivativesMatchCentralDifferences) {
 // Twelve patches meet at the poles of these domes. In their own parameters the fit missed the tolerance by
 // nine times, and had 32,523 control points.
 TEST(CornerWarp, DomesOverUnequalSectionsKeepTheTolerance) {
-  const auto skin = read_skin_layout(data_text("dome_unequal_sections.json"));
-  ASSERT_TRUE(skin.ok());
-  const auto made = SkinSurfacer().surface(*skin, Vector3::Zero());
-  ASSERT_TRUE(made.ok());
-  CadModelOptions options;
-  options.tolerance = 0.01;
+  const auto skin = must(read_skin_layout(data_text("dome_unequal_sections.json")));
+  const auto made = must(SkinSurfacer().surface(*skin, Vector3::Zero()));
+  CadModelOptions options{.tolerance = 0.01};
   options.share = 0;
-  const auto model = make_cad_model(made->surface, options);
-  ASSERT_TRUE(model.ok());
+  const auto model = must(make_cad_model(made->surface, options));
   std::size_t points = 0;
   for (const CadFace& face : model->faces) {
     EXPECT_TRUE(face.reached);
@@ -93,20 +87,16 @@ TEST(CornerWarp, DomesOverUnequalSectionsKeepTheTolerance) {
 // Four patches meet in a vertex of its border. Without a warp there, faces missed 0.05 mm by seven times.
 TEST(CornerWarp, MergedRidgesKeepTheToleranceAtTheirBorder) {
   const auto text =
-      read_file(source_folder() + "/assets/samples/skin_merge_end.hariko", std::size_t(1) << 24);
-  ASSERT_TRUE(text.ok());
-  const auto document = read_document(*text);
-  ASSERT_TRUE(document.ok());
-  const auto made = SkinSurfacer().surface(*document->objects[0]->skin()->skin, Vector3::Zero());
-  ASSERT_TRUE(made.ok());
+      must(read_file(source_folder() + "/assets/samples/skin_merge_end.hariko", std::size_t(1) << 24));
+  const auto document = must(read_document(*text));
+  const auto made = must(SkinSurfacer().surface(*document->objects[0]->skin()->skin, Vector3::Zero()));
   for (const auto& [distance, angle, most] : {std::tuple(0.05, 0.2, 1500), std::tuple(0.01, 0.1, 3000)}) {
     SCOPED_TRACE(distance);
     CadModelOptions options;
     options.tolerance = distance;
     options.share = 0;
     options.angle = angle * std::numbers::pi / 180;
-    const auto model = make_cad_model(made->surface, options);
-    ASSERT_TRUE(model.ok());
+    const auto model = must(make_cad_model(made->surface, options));
     const CadMeasure measured = measure_cad(made->surface, *model);
     EXPECT_LE(measured.largest, distance);
     EXPECT_LE(measured.normal_jump, options.angle);

@@ -1,10 +1,9 @@
 // Closed shells inside others come out of STEP and IGES as voids of one solid.
 
-#include <gtest/gtest.h>
-
 #include "core/cad/cad_shells.hpp"
 #include "core/cad/kernel/cad_file.hpp"
 #include "tests/cad/round_boxes.hpp"
+#include "tests/support/must.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 #ifdef HARIKO_OPENCASCADE
@@ -25,13 +24,10 @@ struct WrittenSolids {
 };
 
 WrittenSolids written_solids(const std::vector<RoundBox>& boxes, bool iges) {
-  const auto model = make_cad_model(surface_of(boxes), {.exact = true});
-  EXPECT_TRUE(model.ok());
+  const auto model = must(make_cad_model(surface_of(boxes), {.exact = true}));
   const CadObject object{"part", &*model};
   auto file =
-      make_cad_file(std::span(&object, 1), {.format = iges ? CadFormat::iges : CadFormat::step_ap214});
-  EXPECT_TRUE(file.ok());
-  if (!file.ok()) return {};
+      must(make_cad_file(std::span(&object, 1), {.format = iges ? CadFormat::iges : CadFormat::step_ap214}));
   const TemporaryFolder folder;
   const auto path = folder.path() / (iges ? "a.igs" : "a.step");
   spill(path, file->bytes);

@@ -1,7 +1,5 @@
 #include "core/cad/fit/inner_fit.hpp"
 
-#include <gtest/gtest.h>
-
 #include "tests/support/random.hpp"
 
 namespace hariko::test {
@@ -35,7 +33,7 @@ struct Problem {
       }
   }
 
-  /// What the solution makes least; `whole`: control points of a surface with the problem's boundary.
+  /// Cost that the solution minimises; `whole`: control points of a surface with the problem's boundary.
   double cost(const SplineSurface& whole) const {
     double out = 0;
     const auto points = evaluate_grid(whole, s.basis, t.basis),

@@ -1,7 +1,5 @@
 // Solids of a CAD program whose faces are partly whole splines, partly trimmed: each is one closed mesh.
 
-#include <gtest/gtest.h>
-
 #include "core/analysis/measures.hpp"
 #include "core/cad/kernel/cad_file.hpp"
 #include "core/cad/kernel/read_cad_file.hpp"
@@ -225,7 +223,7 @@ TEST(MixedSolids, OneBodyOfAPartBecomesFacetsAndTheOtherKeepsItsPatches) {
   builder.Add(both, spline_box(0, true));
   builder.Add(both, spline_box(50, false));
   const TemporaryFolder folder;
-  STEPControl_Writer writer;  // which makes the settings known
+  STEPControl_Writer writer;  // makes the settings known
   ASSERT_TRUE(Interface_Static::SetIVal("write.step.assembly", 0)) << "one product";
   ASSERT_EQ(writer.Transfer(both, STEPControl_AsIs), IFSelect_RetDone);
   ASSERT_EQ(writer.Write((folder.path() / "a.step").c_str()), IFSelect_RetDone);

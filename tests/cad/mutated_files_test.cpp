@@ -1,8 +1,6 @@
 // STEP and IGES files that something went wrong with: each still loads, or is refused with a reason, in
 // bounded time.
 
-#include <gtest/gtest.h>
-
 #include "core/cad/kernel/cad_file.hpp"
 #include "core/cad/kernel/read_cad_file.hpp"
 #include "core/surface/bezier_patch.hpp"

@@ -1,7 +1,5 @@
 // Files as other programs write them: names, loose faces, letters, and what does not belong into the text.
 
-#include <gtest/gtest.h>
-
 #include "core/cad/kernel/cad_file.hpp"
 #include "core/cad/kernel/read_cad_file.hpp"
 #include "tests/support/places.hpp"
@@ -23,6 +21,7 @@
 
 #include "core/analysis/measures.hpp"
 #include "core/surface/weld_patches.hpp"
+#include "tests/support/must.hpp"
 #endif
 
 namespace hariko::test {
@@ -68,16 +67,14 @@ fs::path loose_faces(const fs::path& folder, const std::vector<TopoDS_Shape>& sh
 }
 
 TEST(OtherPrograms, ComponentsHaveTheNamesOfTheirProducts) {
-  const auto read = read_fixture("assembly_nauo.step");
-  ASSERT_TRUE(read.ok()) << to_string(read.error());
+  const auto read = must(read_fixture("assembly_nauo.step"));
   ASSERT_EQ(read->parts.size(), 2U);
   EXPECT_EQ(read->parts[0].name, "left_door");
   EXPECT_EQ(read->parts[1].name, "right_door");
 }
 
 TEST(OtherPrograms, TextBehindTheEndOfIgesIsNoReasonToRefuseIt) {
-  const auto read = read_fixture("text_behind_end.igs");
-  ASSERT_TRUE(read.ok()) << to_string(read.error());
+  const auto read = must(read_fixture("text_behind_end.igs"));
   ASSERT_EQ(read->parts.size(), 1U);
   EXPECT_EQ(read->parts[0].patches.size(), 2U);
   ASSERT_EQ(read->warnings.size(), 1U);
@@ -90,8 +87,7 @@ TEST(OtherPrograms, ByteOrderMarksAreNoReasonToRefuseAFile) {
     const fs::path from = fs::path(source_folder()) / "tests" / "cad" / "fixtures" / name;
     const fs::path marked = folder.path() / name;
     spill(marked, "\xef\xbb\xbf" + slurp(from));
-    const auto read = read_cad_file(marked);
-    ASSERT_TRUE(read.ok()) << to_string(read.error());
+    const auto read = must(read_cad_file(marked));
     ASSERT_FALSE(read->warnings.empty());
     EXPECT_EQ(read->warnings[0].code, w_cad_mark);
   }
@@ -116,8 +112,7 @@ TEST(OtherPrograms, OldLettersInNamesAreReadOrLostAlone) {
       text.replace(at, std::string("left_door").size(), written);
     const fs::path path = folder.path() / "a.step";
     spill(path, text);
-    const auto read = read_cad_file(path);
-    ASSERT_TRUE(read.ok()) << to_string(read.error());
+    const auto read = must(read_cad_file(path));
     ASSERT_EQ(read->parts.size(), 2U);
     EXPECT_EQ(read->parts[0].name, name) << written;
     const bool old = written == "T\xfcr" || written.starts_with('\x89') || written.starts_with('\x95') ||
@@ -132,8 +127,7 @@ TEST(OtherPrograms, FacesThatLieEdgeToEdgeBecomeOneObject) {
   const TopoDS_Shape box = BRepPrimAPI_MakeBox(gp_Pnt(0, 0, 0), 10, 20, 30).Shape(),
                      tin = BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(50, 0, 0), gp_Dir(0, 0, 1)), 5, 8).Shape();
   TopExp_Explorer first(BRepPrimAPI_MakeBox(gp_Pnt(100, 0, 0), 1, 1, 1).Shape(), TopAbs_FACE);
-  const auto read = read_cad_file(loose_faces(folder.path(), {box, tin, first.Current()}));
-  ASSERT_TRUE(read.ok()) << to_string(read.error());
+  const auto read = must(read_cad_file(loose_faces(folder.path(), {box, tin, first.Current()})));
   ASSERT_EQ(read->parts.size(), 3U);
   std::vector<double> volumes;
   for (const CadPart& part : read->parts) {
@@ -142,8 +136,7 @@ TEST(OtherPrograms, FacesThatLieEdgeToEdgeBecomeOneObject) {
     if (part.patches.empty()) {
       if (const auto volume = closed_volume_of(part.mesh)) volumes.push_back(*volume);
     } else if (part.mesh.face_count() == 0) {
-      const auto welded = weld_patches(Vector3::Zero(), part.patches);
-      ASSERT_TRUE(welded.ok());
+      const auto welded = must(weld_patches(Vector3::Zero(), part.patches));
       if (const auto volume = measure(*welded).volume) volumes.push_back(std::abs(*volume));
     }
   }

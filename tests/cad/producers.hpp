@@ -23,7 +23,7 @@ struct Produced {
 };
 
 struct WantedSample {
-  std::string file;  ///< of assets/samples, without its ending
+  std::string file;  ///< name in assets/samples, without its ending
   std::optional<Mode> mode = {};
 };
 

@@ -2,8 +2,6 @@
 
 #include "core/cad/kernel/read_cad_file.hpp"
 
-#include <gtest/gtest.h>
-
 #include "core/cad/kernel/cad_file.hpp"
 #include "tests/cad/producers.hpp"
 #include "tests/support/temporary_folder.hpp"
@@ -50,9 +48,7 @@ namespace {
 #ifndef HARIKO_OPENCASCADE
 
 TEST(ReadCadFile, SaysWhyItCannot) {
-  const auto read = read_cad_file("a.step");
-  ASSERT_FALSE(read.ok());
-  EXPECT_EQ(read.error().code, e_no_cad_kernel);
+  must_fail(read_cad_file("a.step"), e_no_cad_kernel);
 }
 
 #else
@@ -69,11 +65,10 @@ std::vector<CadPart> parts_of(const fs::path& path, const CadReadOptions& option
   return std::move(read).value().parts;
 }
 
-/// What make_cad_file writes of a model.
+/// File that make_cad_file writes of a model.
 fs::path written(const fs::path& folder, const CadModel& model, CadFormat format, CadUnit unit) {
   const CadObject object{"the part", &model, {200, 30, 90}};
-  const auto file = make_cad_file(std::span(&object, 1), {.format = format, .unit = unit});
-  EXPECT_TRUE(file.ok());
+  const auto file = must(make_cad_file(std::span(&object, 1), {.format = format, .unit = unit}));
   const fs::path path = folder / (format == CadFormat::iges ? "a.igs" : "a.stp");
   spill(path, file->bytes);
   return path;
@@ -101,8 +96,7 @@ Solid solid_of(const PolygonMesh& mesh) {
 }
 
 fs::path written(const fs::path& folder, const Surface& surface, CadFormat format, CadUnit unit) {
-  const auto model = make_cad_model(surface);
-  EXPECT_TRUE(model.ok());
+  const auto model = must(make_cad_model(surface));
   return written(folder, *model, format, unit);
 }
 
@@ -127,15 +121,13 @@ TEST(ReadCadFile, OwnFilesComeBackAsTheSamePatches) {
   for_produced([](const Surface& surface) {
     if (surface.domain() != Domain::square && repetitions(1) < 2) return;
     const Measures wanted = measure(surface);
-    const auto model = make_cad_model(surface);
-    ASSERT_TRUE(model.ok());
+    const auto model = must(make_cad_model(surface));
     const bool too_many = spline_patches(*model) > max_cad_patches;
     for (const CadFormat format : {CadFormat::step_ap214, CadFormat::iges}) {
       if (format == CadFormat::iges && surface.patch_count() > 10 && repetitions(1) < 2) continue;
       const TemporaryFolder folder;
       const auto path = written(folder.path(), *model, format, CadUnit::centimetre);
-      auto read = read_cad_file(path);
-      ASSERT_TRUE(read.ok()) << to_string(read.error());
+      auto read = must(read_cad_file(path));
       auto& parts = read->parts;
       ASSERT_EQ(parts.size(), 1U);
       EXPECT_EQ(parts[0].name, "the part");
@@ -148,8 +140,7 @@ TEST(ReadCadFile, OwnFilesComeBackAsTheSamePatches) {
         continue;
       }
       EXPECT_EQ(parts[0].mesh.face_count(), 0U);
-      const auto welded = weld_patches(Vector3::Zero(), std::move(parts[0].patches));
-      ASSERT_TRUE(welded.ok());
+      const auto welded = must(weld_patches(Vector3::Zero(), std::move(parts[0].patches)));
       EXPECT_NEAR(measure(*welded).area, wanted.area, 1e-4 * wanted.area);
     }
   });
@@ -394,9 +385,7 @@ TEST(ReadCadFile, DamagedFilesAreRefusedOrReadButNeverCrash) {
       }
     });
     spill(bad, whole.substr(0, whole.size() / 2));
-    const auto half = read_cad_file(bad);
-    ASSERT_FALSE(half.ok());
-    EXPECT_EQ(half.error().code, e_cad_read);
+    must_fail(read_cad_file(bad), e_cad_read);
   }
 }
 
@@ -404,9 +393,7 @@ TEST(ReadCadFile, WhatIsNoCadFileIsRefused) {
   const TemporaryFolder folder;
   for (const char* ending : {"step", "iges"}) {
     const fs::path path = folder.path() / (std::string("a.") + ending);
-    const auto missing = read_cad_file(path);
-    ASSERT_FALSE(missing.ok());
-    EXPECT_EQ(missing.error().code, e_file_open);
+    must_fail(read_cad_file(path), e_file_open);
     for (const std::string text : {"", "solid a\nendsolid\n", "\x00\x01\x02"}) {
       spill(path, text);
       const auto read = read_cad_file(path);
@@ -427,9 +414,7 @@ TEST(ReadCadFile, CanBeCancelled) {
   other.write(folder.path() / "a.step", "MM");
   const CancelToken cancel = CancelToken::make();
   cancel.cancel();
-  const auto read = read_cad_file(folder.path() / "a.step", {}, cancel);
-  ASSERT_FALSE(read.ok());
-  EXPECT_EQ(read.error().code, e_cancelled);
+  must_fail(read_cad_file(folder.path() / "a.step", {}, cancel), e_cancelled);
 }
 
 #endif

@@ -1,10 +1,9 @@
 // Contents of STEP and IGES files beside exact bodies: placements that scale or mirror, hidden shapes,
 // curves, tessellated bodies, names of usages, lengths without a unit.
 
-#include <gtest/gtest.h>
-
 #include "core/cad/kernel/cad_file.hpp"
 #include "core/cad/kernel/read_cad_file.hpp"
+#include "tests/support/must.hpp"
 #include "tests/support/places.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -153,8 +152,7 @@ TEST(ReadStepModel, ScaledShapesKeepColoursAndVisibility) {
 }
 
 TEST(ReadStepModel, FacesHiddenInIgesAreAPartOfTheirOwn) {
-  const auto read = read_cad_file(fixture("hidden_face.igs"));
-  ASSERT_TRUE(read.ok()) << to_string(read.error());
+  const auto read = must(read_cad_file(fixture("hidden_face.igs")));
   ASSERT_EQ(read->parts.size(), 2U);
   EXPECT_TRUE(read->parts[0].visible);
   EXPECT_EQ(read->parts[0].patches.size(), 5U);
@@ -163,8 +161,7 @@ TEST(ReadStepModel, FacesHiddenInIgesAreAPartOfTheirOwn) {
 }
 
 TEST(ReadStepModel, CurvesAndPointsThatAreLeftOutAreCounted) {
-  const auto iges = read_cad_file(fixture("box_and_curve.igs"));
-  ASSERT_TRUE(iges.ok()) << to_string(iges.error());
+  const auto iges = must(read_cad_file(fixture("box_and_curve.igs")));
   ASSERT_EQ(codes_of(*iges), std::vector{w_cad_left_out});
   EXPECT_NE(iges->warnings[0].text.find("curves: 1, points: 1"), std::string::npos) << iges->warnings[0].text;
   const std::string curves =
@@ -259,8 +256,7 @@ TEST(ReadStepModel, APartAloneInItsAssemblyHasItsOwnName) {
 }
 
 TEST(ReadStepModel, APoleIsTheReasonGivenForFacets) {
-  const auto read = read_cad_file(fixture("rational_ball.step"));
-  ASSERT_TRUE(read.ok()) << to_string(read.error());
+  const auto read = must(read_cad_file(fixture("rational_ball.step")));
   ASSERT_EQ(codes_of(*read), std::vector{w_cad_mixed});
   EXPECT_NE(read->warnings[0].text.find("with a pole: 1"), std::string::npos) << read->warnings[0].text;
   EXPECT_NE(read->warnings[0].text.find("other kinds: 0"), std::string::npos) << read->warnings[0].text;

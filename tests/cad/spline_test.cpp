@@ -1,7 +1,5 @@
 #include "core/cad/fit/spline.hpp"
 
-#include <gtest/gtest.h>
-
 #include <cmath>
 #include <numbers>
 
@@ -130,7 +128,7 @@ TEST(Spline, InterpolationGivesSplinesOfTheSpaceBack) {
   for_random(4300, 40, [](std::mt19937_64& rng) {
     SplineCurve curve{random_space(rng), {}};
     for (std::size_t i = 0; i < curve.space.size(); ++i) curve.points.push_back(random_point(rng));
-    SplineSpace finer = curve.space;  // which holds it as well
+    SplineSpace finer = curve.space;  // a finer space holds the curve as well
     finer.breaks.insert(finer.breaks.begin() + 1, 0.5 * finer.breaks[1]);
     const SplineCurve same = in_space(curve, finer);
     ASSERT_EQ(same.points.size(), curve.points.size() + 1);

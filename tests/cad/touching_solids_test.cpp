@@ -1,7 +1,5 @@
 // Solids of one part that touch stay apart as closed bodies; tiny ones have triangles as well.
 
-#include <gtest/gtest.h>
-
 #include <Eigen/Geometry>
 #include <map>
 
@@ -30,7 +28,7 @@ PolygonMesh mesh_of_boxes(const std::vector<std::pair<Vector3, Vector3>>& boxes)
                  .Shape());
   const TemporaryFolder folder;
   const auto path = folder.path() / "a.step";
-  STEPControl_Writer writer;  // which makes the settings known
+  STEPControl_Writer writer;  // makes the settings known
   EXPECT_TRUE(Interface_Static::SetIVal("write.step.assembly", 0)) << "one product";
   EXPECT_EQ(writer.Transfer(all, STEPControl_AsIs), IFSelect_RetDone);
   EXPECT_EQ(writer.Write(path.c_str()), IFSelect_RetDone);

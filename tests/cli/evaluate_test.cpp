@@ -131,8 +131,7 @@ TEST_F(Evaluate, TensionFilesWithMistakesAreRefused) {
 
 TEST_F(Evaluate, CornersAndCreasesAreApplied) {
   write_text(path("t.json"), R"({"crease": [[0, 1], [0, 3], [0, 4]], "corner": [0], "beta": {"6-7": 3}})");
-  const Outcome sharp = run("evaluate " + golden("cube.obj") + " --tension " + path("t.json"));
-  ASSERT_EQ(sharp.exit_code, 0) << sharp.error;
+  const Outcome sharp = succeed("evaluate " + golden("cube.obj") + " --tension " + path("t.json"));
   const Json plain = run("evaluate " + golden("cube.obj")).json();
   EXPECT_NE(sharp.json()["tangents"]["0-1"], plain["tangents"]["0-1"]);
   EXPECT_NE(sharp.json()["tangents"]["6-7"], plain["tangents"]["6-7"]);
@@ -152,8 +151,7 @@ TEST_F(Evaluate, ObjectFarAwayHasTheSameShape) {
     moved += line + "\n";
   }
   write_text(path("far.obj"), moved);
-  const Outcome far = run("evaluate " + path("far.obj"));
-  ASSERT_EQ(far.exit_code, 0) << far.error;
+  const Outcome far = succeed("evaluate " + path("far.obj"));
   const Json here = run("evaluate " + golden("cube.obj")).json();
   expect_same(far.json()["tangents"], here["tangents"], "tangents");
   EXPECT_NEAR(far.json()["faces"][0]["O"][0].get<double>(), 1048576, 1e-9);
@@ -170,8 +168,7 @@ constexpr const char* cylinder_patches =
 
 TEST_F(Evaluate, PatchesSayWhereTheyAreAndHowTheyBend) {
   write_text(path("arc.json"), cylinder_patches);
-  const Outcome result = run("evaluate " + path("arc.json"));
-  ASSERT_EQ(result.exit_code, 0) << result.error;
+  const Outcome result = succeed("evaluate " + path("arc.json"));
   const Json json = result.json();
   EXPECT_EQ(json["kind"], "bezier");
   EXPECT_EQ(json["seams"], 1);

@@ -3,6 +3,7 @@
 
 #include "core/exchange/mesh_file.hpp"
 #include "tests/cli/program.hpp"
+#include "tests/support/must.hpp"
 #include "tests/support/places.hpp"
 
 namespace hariko::test {
@@ -27,11 +28,8 @@ TEST_F(ExportRender, MeshesAreWholeInEveryFormat) {
   for (const std::string extension : {"obj", "ply", "stl"})
     for (const int density : {1, 5}) {
       const std::string out = path("cube." + extension);
-      const Outcome result =
-          run("export " + golden("cube.obj") + " " + out + " --density " + std::to_string(density));
-      ASSERT_EQ(result.exit_code, 0) << result.error;
-      const auto mesh = read_mesh_file(out);
-      ASSERT_TRUE(mesh.ok()) << mesh.error().text;
+      succeed("export " + golden("cube.obj") + " " + out + " --density " + std::to_string(density));
+      const auto mesh = must(read_mesh_file(out));
       EXPECT_EQ(mesh->mesh.face_count(), static_cast<std::size_t>(24 * density * density)) << extension;
       EXPECT_EQ(open_edges(mesh->mesh), 0U) << extension << " " << density;
     }
@@ -40,8 +38,7 @@ TEST_F(ExportRender, MeshesAreWholeInEveryFormat) {
 TEST_F(ExportRender, DensityIsEightAndEdgesOfOpenSurfacesStayOpen) {
   const std::string out = path("grid.obj");
   ASSERT_EQ(run("export " + golden("grid3.obj") + " " + out).exit_code, 0);
-  const auto mesh = read_mesh_file(out);
-  ASSERT_TRUE(mesh.ok());
+  const auto mesh = must(read_mesh_file(out));
   EXPECT_EQ(mesh->mesh.face_count(), 36U * 64U);
   EXPECT_EQ(open_edges(mesh->mesh), 12U * 8U);
 }
@@ -49,13 +46,10 @@ TEST_F(ExportRender, DensityIsEightAndEdgesOfOpenSurfacesStayOpen) {
 TEST_F(ExportRender, UnitScaleUpAxisAndObjectsCanBeChosen) {
   const auto size = [&](const std::string& options) {
     const std::string out = path("a.obj");
-    const Outcome result = run("export " + golden("cube.obj") + " " + out + " --density 2 " + options);
-    EXPECT_EQ(result.exit_code, 0) << result.error;
+    succeed("export " + golden("cube.obj") + " " + out + " --density 2 " + options);
     Eigen::AlignedBox3d box;
-    const auto mesh = read_mesh_file(out);
-    EXPECT_TRUE(mesh.ok());
-    if (mesh.ok())
-      for (const Vector3& p : mesh->mesh.positions) box.extend(p);
+    const auto mesh = must(read_mesh_file(out));
+    for (const Vector3& p : mesh->mesh.positions) box.extend(p);
     return Vector3(box.sizes());
   };
   const Vector3 usual = size("");
@@ -75,8 +69,7 @@ TEST_F(ExportRender, UnitScaleUpAxisAndObjectsCanBeChosen) {
 
 TEST_F(ExportRender, StlAndPlyAreWrittenAsTextToo) {
   const auto written = [&](const std::string& command, const std::string& name, const std::string& options) {
-    const Outcome result = run(command + " " + golden("cube.obj") + " " + path(name) + " " + options);
-    EXPECT_EQ(result.exit_code, 0) << result.error;
+    succeed(command + " " + golden("cube.obj") + " " + path(name) + " " + options);
     return read_text(path(name));
   };
   for (const std::string command : {"export", "mesh --distance 0.1"})
@@ -154,8 +147,7 @@ TEST_F(ExportRender, EnvironmentsAreReflectedTurnedAndExposed) {
   const std::string out = path("picture.png");
   const std::string command = "render " + golden("fig2.obj") + " " + out + " --size 160x120";
   const auto picture = [&](const std::string& options) {
-    const Outcome result = run(command + options);
-    EXPECT_EQ(result.exit_code, 0) << result.error;
+    succeed(command + options);
     return read_text(out);
   };
   std::map<std::string, std::string> pictures;
@@ -193,8 +185,7 @@ TEST_F(ExportRender, WhateverObjectsAreMadeFromIsDrawn) {
   for (const std::string& file :
        {path("patch.bpt"), test::source_folder() + "/assets/samples/saddle.hariko"}) {
     const auto picture = [&](const std::string& options) {
-      const Outcome result = run("render " + file + " " + out + " --size 160x120" + options);
-      EXPECT_EQ(result.exit_code, 0) << result.error;
+      succeed("render " + file + " " + out + " --size 160x120" + options);
       return read_text(out);
     };
     EXPECT_NE(picture(""), picture(" --show polyhedron")) << file;
@@ -204,11 +195,9 @@ TEST_F(ExportRender, WhateverObjectsAreMadeFromIsDrawn) {
 /// As file managers ask for thumbnails.
 TEST_F(ExportRender, AFormatStandsForTheEndingOfTheName) {
   const std::string picture = path("thumbnail.XYZ"), lines = path("lines");
-  Outcome result = run("render " + golden("cube.obj") + " " + picture + " --format png --size 64x64");
-  ASSERT_EQ(result.exit_code, 0) << result.error;
+  Outcome result = succeed("render " + golden("cube.obj") + " " + picture + " --format png --size 64x64");
   EXPECT_EQ(read_text(picture).substr(0, 4), "\x89PNG");
-  result = run("render " + golden("cube.obj") + " " + lines + " --format svg --hidden");
-  ASSERT_EQ(result.exit_code, 0) << result.error;
+  result = succeed("render " + golden("cube.obj") + " " + lines + " --format svg --hidden");
   EXPECT_NE(read_text(lines).find("<svg"), std::string::npos);
 }
 

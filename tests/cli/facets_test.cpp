@@ -59,8 +59,7 @@ TEST_F(Facets, BoxesOfCadProgramsAreExportedClosed) {
     for (const char* ending : {"stl", "obj", "3mf", "glb", "ply", "off"}) {
       SCOPED_TRACE(std::string(model) + " to " + ending);
       const std::string out = path(std::string("o.") + ending);
-      const Outcome result = run("export " + case_file(model) + " " + out);
-      ASSERT_EQ(result.exit_code, 0) << result.error;
+      succeed("export " + case_file(model) + " " + out);
       const Known is = known(out);
       if (std::string(model) == "step_box_planes.step") EXPECT_EQ(is.triangles, 12U);
       EXPECT_EQ(is.bad, 0U);
@@ -73,25 +72,21 @@ TEST_F(Facets, BoxesOfCadProgramsAreMeasuredMeshedUnfoldedAndDrawn) {
   if (why_no_cad_files()) GTEST_SKIP() << "built without OpenCASCADE";
   for (const char* model : {"step_box_planes.step", "step_box_mixed.step"}) {
     SCOPED_TRACE(model);
-    const Outcome info = run("info " + case_file(model) + " --json");
-    EXPECT_EQ(info.exit_code, 0) << info.error;
+    const Outcome info = succeed("info " + case_file(model) + " --json");
     const Json json = info.json();
     ASSERT_TRUE(json.is_object()) << info.out;
     const Json& box = json["objects"].at(0);
     EXPECT_EQ(box["kind"], "mesh");
     EXPECT_NEAR(box["volume"].get<double>(), 6000, 1e-6);
     EXPECT_NEAR(box["area"].get<double>(), 2200, 1e-6);
-    const Outcome meshed = run("mesh " + case_file(model) + " " + path("m.stl") + " --distance 0.1");
-    EXPECT_EQ(meshed.exit_code, 0) << meshed.error;
+    succeed("mesh " + case_file(model) + " " + path("m.stl") + " --distance 0.1");
     EXPECT_EQ(known(path("m.stl")).bad, 0U);
-    const Outcome unfolded = run("unfold " + case_file(model) + " " + path("p.pdf") + " --json");
-    EXPECT_EQ(unfolded.exit_code, 0) << unfolded.error;
+    const Outcome unfolded = succeed("unfold " + case_file(model) + " " + path("p.pdf") + " --json");
     EXPECT_EQ(unfolded.json()["components"], 1);
     const Outcome drawn = run("render " + case_file(model) + " " + path("p.png") + " --size 80x60");
     EXPECT_TRUE(drawn.exit_code == 0 || drawn.error.find("E_GL") != std::string::npos) << drawn.error;
     EXPECT_EQ(drawn.error.find("E_NOTHING_TO_SHOW"), std::string::npos);
-    const Outcome lines = run("render " + case_file(model) + " " + path("p.svg"));
-    EXPECT_EQ(lines.exit_code, 0) << lines.error;
+    succeed("render " + case_file(model) + " " + path("p.svg"));
   }
 }
 
@@ -115,8 +110,7 @@ TEST_F(Facets, CoordinatesThatStlCannotHoldAreRefusedWithTheWayOut) {
       EXPECT_NE(refused.error.find("E_FILE_DIGITS"), std::string::npos) << refused.error;
       EXPECT_NE(refused.error.find("--origin zero"), std::string::npos) << refused.error;
       EXPECT_FALSE(std::filesystem::exists(path("o.stl")));
-      const Outcome moved = run(start + " --origin zero");
-      EXPECT_EQ(moved.exit_code, 0) << moved.error;
+      const Outcome moved = succeed(start + " --origin zero");
       EXPECT_NE(moved.out.find("moved to zero by"), std::string::npos) << moved.out;
       const Known is = known(path("o.stl"));
       EXPECT_EQ(is.bad, 0U);
@@ -125,8 +119,7 @@ TEST_F(Facets, CoordinatesThatStlCannotHoldAreRefusedWithTheWayOut) {
     }
   for (const char* ending : {"obj", "ply", "3mf", "glb"}) {
     const Outcome result =
-        run("mesh " + cube + " " + path(std::string("o.") + ending) + " --distance 0.01 --json");
-    EXPECT_EQ(result.exit_code, 0) << ending << result.error;
+        succeed("mesh " + cube + " " + path(std::string("o.") + ending) + " --distance 0.01 --json");
     EXPECT_LE(result.json()["objects"].at(0)["distance"]["bound"].get<double>(), 0.01);
     EXPECT_EQ(known(path(std::string("o.") + ending)).bad, 0U) << ending;
   }

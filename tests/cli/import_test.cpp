@@ -63,8 +63,7 @@ TEST_F(ImportTest, NearCornersAreJoinedWhereItIsAskedFor) {
 
 TEST_F(ImportTest, TrianglesWithoutAreaAlongAnEdgeAreDroppedWithACount) {
   const std::string stl = import_case("stl_one_flat_triangle.stl");
-  const Outcome done = run("export " + stl + " " + path("o.stl"));
-  EXPECT_EQ(done.exit_code, 0) << done.error;
+  const Outcome done = succeed("export " + stl + " " + path("o.stl"));
   EXPECT_NE(done.error.find("W_FLAT_TRIANGLES: 1 flat triangle along an edge"), std::string::npos)
       << done.error;
   const Json cube = run("info --json " + stl).object();
@@ -156,23 +155,20 @@ TEST_F(ImportTest, StandardInputAndOutputStandForFiles) {
   write_text(cube, read_text(golden("cube.obj")));
   const Json named = run("info --json " + cube).object();
   for (const char* from : {"", " --from obj"}) {
-    const Outcome read = run(std::string("info --json -") + from, cube);
-    EXPECT_EQ(read.exit_code, 0) << read.error;
+    const Outcome read = succeed(std::string("info --json -") + from, cube);
     EXPECT_EQ(read.object()["vertices"], named["vertices"]);
   }
   for (const char* format : {"stl", "obj", "ply", "glb"}) {
     const std::string file = path(std::string("o.") + format);
     ASSERT_EQ(run("export --density 3 " + cube + " " + file).exit_code, 0);
-    const Outcome piped = run(std::string("export --density 3 - - --to ") + format, cube);
-    EXPECT_EQ(piped.exit_code, 0) << piped.error;
+    const Outcome piped = succeed(std::string("export --density 3 - - --to ") + format, cube);
     EXPECT_EQ(piped.out.size(), read_text(file).size()) << format;
     if (format == std::string("stl")) {
       EXPECT_EQ(piped.out.substr(80), read_text(file).substr(80));
     }
   }
   // Reports go to the error stream while a file goes to the output.
-  const Outcome mesh = run("mesh " + cube + " - --to ply --distance 0.1");
-  EXPECT_EQ(mesh.exit_code, 0) << mesh.error;
+  const Outcome mesh = succeed("mesh " + cube + " - --to ply --distance 0.1");
   EXPECT_TRUE(mesh.out.starts_with("ply\n"));
   EXPECT_NE(mesh.error.find("facets"), std::string::npos) << mesh.error;
   // Nothing is written where the job fails.
@@ -224,8 +220,7 @@ std::string stl_box(const std::string& name, double x, double y, bool inside_out
 
 TEST_F(ImportTest, SolidsOfAnStlAreObjectsThoughTheyTouch) {
   write_text(path("two.stl"), stl_box("left", 0, 0) + stl_box("right", 10, 10));
-  const Outcome told = run("info --json " + path("two.stl"));
-  ASSERT_EQ(told.exit_code, 0) << told.out;
+  const Outcome told = succeed("info --json " + path("two.stl"));
   const Json objects = told.json()["objects"];
   ASSERT_EQ(objects.size(), 2U);
   EXPECT_EQ(objects[0]["name"], "left");

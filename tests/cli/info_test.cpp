@@ -6,6 +6,7 @@
 #include "core/exchange/mesh_file.hpp"
 #include "core/modeling/surfacing/local_edit.hpp"
 #include "tests/cli/program.hpp"
+#include "tests/support/must.hpp"
 
 namespace hariko::test {
 namespace {
@@ -93,8 +94,7 @@ TEST_F(Info, OfOpenAndKnottedObjects) {
 
 TEST_F(Info, WarningsAloneGiveZero) {
   // Imports have their concave faces cut; this document does not.
-  const auto mesh = read_mesh_file(golden("concave.obj"));
-  ASSERT_TRUE(mesh.ok());
+  const auto mesh = must(read_mesh_file(golden("concave.obj")));
   ASSERT_TRUE(save_document(document_from_mesh(mesh->mesh, "block").value(), path("block.hariko")).ok());
   EXPECT_FALSE(codes(inspect(golden("concave.obj"))).count("W_FOLD"));
   const Json concave = inspect(path("block.hariko"));
@@ -136,8 +136,7 @@ TEST_F(Info, DocumentInItsOwnUnitAndScale) {
                            {3, 2, 6, 7},
                            {2, 0, 4, 6}})
     mesh.add_face(face);
-  auto document = document_from_mesh(mesh, "block");
-  ASSERT_TRUE(document.ok());
+  auto document = must(document_from_mesh(mesh, "block"));
   Document scaled = *document;
   Object object = *scaled.objects[0];
   object.transform.scale = 2;
@@ -151,8 +150,7 @@ TEST_F(Info, DocumentInItsOwnUnitAndScale) {
 }
 
 TEST_F(Info, ListsDimensions) {
-  const auto mesh = read_mesh_file(golden("cube.obj"));
-  ASSERT_TRUE(mesh.ok());
+  const auto mesh = must(read_mesh_file(golden("cube.obj")));
   Document document = document_from_mesh(mesh->mesh, "block").value();
   const ObjectId id = document.objects[0]->id;
   const auto corner = [&](std::uint32_t vertex) { return VertexAnchor{id, VertexId{vertex}}; };
@@ -162,8 +160,7 @@ TEST_F(Info, ListsDimensions) {
       {{3}, DimensionKind::radius, {PatchAnchor{id, element_of(FaceId{0}), 1, {0.3, 0.3}}}, Vector3::Zero()},
       {{4}, DimensionKind::distance, {corner(0), corner(99)}, Vector3::Zero()}};
   ASSERT_TRUE(save_document(document, path("block.hariko")).ok());
-  const Outcome result = run("info '" + path("block.hariko") + "' --json");
-  ASSERT_EQ(result.exit_code, 0) << result.error;
+  const Outcome result = succeed("info '" + path("block.hariko") + "' --json");
   const Json list = result.json()["dimensions"];
   ASSERT_EQ(list.size(), 4U);
   EXPECT_EQ(list[0]["kind"], "distance");
@@ -189,8 +186,7 @@ TEST_F(Info, ListsDimensions) {
 TEST_F(Info, CountsThePatchesThatALocalEditLeavesAlone) {
   for (const char* mode : {"paper", "target", "fair", "g2"}) {
     SCOPED_TRACE(mode);
-    const auto mesh = read_mesh_file(golden("torus.obj"));
-    ASSERT_TRUE(mesh.ok());
+    const auto mesh = must(read_mesh_file(golden("torus.obj")));
     Document before = document_from_mesh(mesh->mesh, "torus").value();
     Object object = *before.objects[0];
     PolyhedronSource source = *object.polyhedron();
@@ -264,7 +260,7 @@ TEST_F(Info, OnATerminalTheErrorStreamShowsWhatIsGoingOn) {
   ASSERT_EQ(::grantpt(terminal), 0);
   ASSERT_EQ(::unlockpt(terminal), 0);
   const std::string name = ::ptsname(terminal);
-  const int kept = ::open(name.c_str(), O_RDWR | O_NOCTTY);  // what was written stays until it is read
+  const int kept = ::open(name.c_str(), O_RDWR | O_NOCTTY);  // text that was written stays until it is read
   const std::string command = "env -u DISPLAY XDG_STATE_HOME='" + path("state") + "' '" + program_path() +
                               "' info '" + path("grid.obj") + "' >'" + path("out.txt") + "' 2>'" + name +
                               "' </dev/null";
@@ -283,8 +279,7 @@ TEST_F(Info, OnATerminalTheErrorStreamShowsWhatIsGoingOn) {
 }
 
 TEST_F(Info, TextForPeople) {
-  const Outcome text = run("info " + golden("cube.obj"));
-  EXPECT_EQ(text.exit_code, 0);
+  const Outcome text = succeed("info " + golden("cube.obj"));
   EXPECT_NE(text.out.find("boundary loops"), std::string::npos);
   EXPECT_NE(text.out.find("polyhedron"), std::string::npos);
 }

@@ -14,8 +14,7 @@ class LineDrawings : public ProgramTest {
  protected:
   /// The drawing of a model of tests/golden.
   std::string drawing(const std::string& model, const std::string& options) {
-    const Outcome result = run("render " + golden(model) + " " + path("a.svg") + " " + options);
-    EXPECT_EQ(result.exit_code, 0) << result.error;
+    const Outcome result = succeed("render " + golden(model) + " " + path("a.svg") + " " + options);
     EXPECT_EQ(result.error, "");
     return read_text(path("a.svg"));
   }

@@ -57,8 +57,7 @@ TEST_F(MakingPictures, OpenSurfacesHaveNoThickness) {
 
 TEST_F(MakingPictures, DeviationsNeedAReference) {
   Document document = document_from_mesh(cube(), "Part").value();
-  Similarity place;
-  place.translation = {0.25, 0, 0};
+  Similarity place{.translation = {0.25, 0, 0}};
   document = add_object(document, "Model", document.objects[0]->source, place)->document;
   const std::string file = path("two.hariko");
   ASSERT_TRUE(save_document(document, file));

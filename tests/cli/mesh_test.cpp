@@ -7,11 +7,10 @@
 #include "core/document/file.hpp"
 #include "core/exchange/read_patches.hpp"
 #include "tests/cli/program.hpp"
+#include "tests/support/must.hpp"
 
-namespace hariko {
+namespace hariko::test {
 namespace {
-
-using namespace test;
 
 class Mesh : public ProgramTest {};
 
@@ -24,8 +23,7 @@ constexpr const char* pipe_patch =
 
 TEST_F(Mesh, JsonTellsCountsAndErrors) {
   const Outcome result =
-      run("mesh " + golden("cube.obj") + " " + path("out.obj") + " --distance 0.01 --json");
-  EXPECT_EQ(result.exit_code, 0) << result.error;
+      succeed("mesh " + golden("cube.obj") + " " + path("out.obj") + " --distance 0.01 --json");
   const Json json = result.json();
   ASSERT_TRUE(json.is_object()) << result.out;
   const Json& object = json["objects"].at(0);
@@ -42,8 +40,7 @@ TEST_F(Mesh, JsonTellsCountsAndErrors) {
 TEST_F(Mesh, FilesOfPatches) {
   write_text(path("pipe.bpt"), pipe_patch);
   const Outcome plain =
-      run("mesh " + path("pipe.bpt") + " " + path("a.stl") + " --distance 0.01 --split gauss --json");
-  EXPECT_EQ(plain.exit_code, 0) << plain.error;
+      succeed("mesh " + path("pipe.bpt") + " " + path("a.stl") + " --distance 0.01 --split gauss --json");
   const int facets = plain.json()["facets"].get<int>();
   EXPECT_GT(facets, 10);
   EXPECT_EQ(std::filesystem::file_size(path("a.stl")), 84U + 50U * std::size_t(facets));
@@ -79,18 +76,15 @@ constexpr const char* rational_patches =
 
 TEST_F(Mesh, PatchesOfAnyDegreeAreObjects) {
   write_text(path("arc.json"), rational_patches);
-  const Outcome info = run("info " + path("arc.json") + " --json");
-  EXPECT_EQ(info.exit_code, 0) << info.error;
+  const Outcome info = succeed("info " + path("arc.json") + " --json");
   const Json object = info.object();
   EXPECT_EQ(object["kind"], "bezier");
   EXPECT_EQ(object["name"], "arc");
   EXPECT_EQ(object["patches"], 2);
   EXPECT_NEAR(object["area"].get<double>(), 2 * 1.5707963267948966 + 4, 1e-6);
   // Written, read again, meshed from the document as from the file.
-  const auto groups = read_patch_file(path("arc.json"));
-  ASSERT_TRUE(groups.ok());
-  const auto source = BezierSource::from_patches(groups->front().patches);
-  ASSERT_TRUE(source.ok());
+  const auto groups = must(read_patch_file(path("arc.json")));
+  const auto source = must(BezierSource::from_patches(groups->front().patches));
   const auto made = add_object({}, "arc", Source(*source));
   ASSERT_TRUE(save_document(made.value().document, path("arc.hariko")).ok());
   const Outcome first = run("mesh " + path("arc.json") + " " + path("a.obj") + " --distance 0.001 --json");
@@ -103,9 +97,8 @@ TEST_F(Mesh, PatchesOfAnyDegreeAreObjects) {
 }
 
 TEST_F(Mesh, ErrorsOfEveryFacetAndSample) {
-  const Outcome result = run("mesh " + golden("cube.obj") + " " + path("out.obj") +
-                             " --normal 15 --json --errors " + path("errors.csv"));
-  ASSERT_EQ(result.exit_code, 0) << result.error;
+  const Outcome result = succeed("mesh " + golden("cube.obj") + " " + path("out.obj") +
+                                 " --normal 15 --json --errors " + path("errors.csv"));
   const Json object = result.json()["objects"].at(0);
   const std::string text = read_text(path("errors.csv"));
   EXPECT_EQ(text.rfind("object,kind,number,facet,x,y,z,distance", 0), 0U);
@@ -131,14 +124,11 @@ TEST_F(Mesh, ReferenceMeshesAreDecimated) {
   for (Index j = 0; j < 20; ++j)
     for (Index i = 0; i < 20; ++i)
       sheet.add_face({21 * j + i, 21 * j + i + 1, 21 * j + i + 22, 21 * j + i + 21});
-  auto source = MeshSource::from_mesh(sheet);
-  ASSERT_TRUE(source.ok());
-  const auto document = add_object({}, "sheet", std::move(source).value());
-  ASSERT_TRUE(document.ok());
+  auto source = must(MeshSource::from_mesh(sheet));
+  const auto document = must(add_object({}, "sheet", std::move(source).value()));
   ASSERT_TRUE(save_document(document->document, path("sheet.hariko")).ok());
-  const Outcome result = run("mesh " + path("sheet.hariko") + " " + path("out.obj") +
-                             " --distance 0.01 --json --errors " + path("errors.csv"));
-  ASSERT_EQ(result.exit_code, 0) << result.error;
+  const Outcome result = succeed("mesh " + path("sheet.hariko") + " " + path("out.obj") +
+                                 " --distance 0.01 --json --errors " + path("errors.csv"));
   const Json object = result.json()["objects"].at(0);
   EXPECT_EQ(object["facets"], 4);
   EXPECT_LE(object["distance"]["bound"].get<double>(), 0.01);
@@ -167,4 +157,4 @@ TEST_F(Mesh, Refusals) {
 }
 
 }  // namespace
-}  // namespace hariko
+}  // namespace hariko::test

@@ -10,8 +10,7 @@ namespace {
 class OutlineFiles : public ProgramTest {};
 
 TEST_F(OutlineFiles, EvaluatePrintsTheControlPoints) {
-  const Outcome result = run("evaluate " + golden("gaussmap/sphere_cap.json"));
-  ASSERT_EQ(result.exit_code, 0) << result.error;
+  const Outcome result = succeed("evaluate " + golden("gaussmap/sphere_cap.json"));
   const Json json = result.json();
   const Json input = Json::parse(read_text(golden("gaussmap/sphere_cap.json")));
   const std::size_t given = input["loops"][0]["points"].size();
@@ -66,13 +65,9 @@ TEST_F(OutlineFiles, WhatIsWrongIsSaidWithThePoint) {
 }
 
 TEST_F(OutlineFiles, ExportAndRender) {
-  const Outcome exported =
-      run("export --density 2 " + golden("gaussmap/saddle.json") + " " + path("saddle.obj"));
-  ASSERT_EQ(exported.exit_code, 0) << exported.error;
+  succeed("export --density 2 " + golden("gaussmap/saddle.json") + " " + path("saddle.obj"));
   EXPECT_NE(read_text(path("saddle.obj")).find("\nf "), std::string::npos);
-  const Outcome drawn =
-      run("render --size 64x48 " + golden("gaussmap/three_holes.json") + " " + path("holes.png"));
-  EXPECT_EQ(drawn.exit_code, 0) << drawn.error;
+  succeed("render --size 64x48 " + golden("gaussmap/three_holes.json") + " " + path("holes.png"));
 }
 
 TEST_F(OutlineFiles, OptionsTakeThePlaceOfTheSettings) {
@@ -96,6 +91,28 @@ TEST_F(OutlineFiles, OptionsTakeThePlaceOfTheSettings) {
   const Json fair = run("info --json " + file).object(),
              smooth = run("info --json --mode g2 " + file).object();
   EXPECT_LT(smooth["rms_curvature_jump"].get<double>(), 0.1 * fair["rms_curvature_jump"].get<double>());
+}
+
+TEST_F(OutlineFiles, AModeThatIsGoneIsReplacedWithAWarning) {
+  const std::string file = golden("gaussmap/ellipsoid_cap.json");
+  const Outcome replaced = succeed("evaluate --method minkowski " + file);
+  Json json = replaced.json();
+  EXPECT_EQ(json["method"], "umbilic");
+  ASSERT_FALSE(json["messages"].empty());
+  EXPECT_EQ(json["messages"][0]["code"], "W_OUTLINE_METHOD");
+  json["messages"].erase(json["messages"].begin());
+  EXPECT_EQ(json, run("evaluate --method umbilic " + file).json()) << "once, and nothing else differs";
+  const std::string old = test::source_folder() + "/tests/document/fixtures/v9_outline.hariko";
+  for (const std::string& arguments : {"--method minkowski " + file, old}) {
+    const Json object = run("info --json " + arguments).object();
+    EXPECT_EQ(object["outline"]["method"], "umbilic");
+    ASSERT_FALSE(object["messages"].empty());
+    EXPECT_EQ(object["messages"][0]["code"], "W_OUTLINE_METHOD");
+  }
+  const Json chosen = run("info --json --method curvature " + old).object();
+  EXPECT_EQ(chosen["outline"]["method"], "curvature");
+  for (const Json& message : chosen["messages"]) EXPECT_NE(message["code"], "W_OUTLINE_METHOD");
+  EXPECT_EQ(run("info --help").out.find("minkowski"), std::string::npos);
 }
 
 TEST_F(OutlineFiles, FramesAreMetricUnlessToldOtherwise) {

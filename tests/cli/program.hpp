@@ -11,6 +11,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>
+#include <stdexcept>
 #include <string>
 
 #include "tests/support/places.hpp"
@@ -79,6 +80,16 @@ class ProgramTest : public ::testing::Test {
     out.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
     out.out = read_text(path("stdout.txt"));
     out.error = read_text(path("stderr.txt"));
+    return out;
+  }
+  /// The same of what has to end well; where it does not the test fails, at the line of the call, and ends.
+  Outcome succeed(const std::string& arguments, const std::string& input = "/dev/null",
+                  const char* file = __builtin_FILE(), int line = __builtin_LINE()) const {
+    Outcome out = run(arguments, input);
+    if (out.exit_code != 0) {
+      ADD_FAILURE_AT(file, line) << arguments << " ended with " << out.exit_code << "\n" << out.error;
+      throw std::runtime_error("the program did not end well");
+    }
     return out;
   }
 

@@ -1,12 +1,13 @@
 // Commands as scripts run them, each in a session without a window.
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <string>
+#include <vector>
 
 #include "app/scripts/script_session.hpp"
+#include "tests/support/must.hpp"
 #include "tests/support/places.hpp"
 
 namespace hariko {
@@ -20,8 +21,7 @@ OpenedFile open_plainly(const std::filesystem::path& path) {
 void prepare(ScriptSession& session, const std::string& sample, ElementMode mode) {
   if (sample.empty()) {
     const Command& box = *session.commands().find("add.box");
-    const auto arguments = read_arguments(box.script.arguments, {}, Unit::millimetre);
-    ASSERT_TRUE(arguments.ok());
+    const auto arguments = test::must(read_arguments(box.script.arguments, {}, Unit::millimetre));
     ASSERT_TRUE(session.run(box, *arguments).ok());
   } else {
     ASSERT_TRUE(session.open_document(test::source_folder() + "/assets/samples/" + sample).ok());
@@ -109,9 +109,7 @@ bool runs_on(const Stage& stage, const std::string& id) {
   std::vector<WrittenArgument> written;
   for (const ArgumentSpec& spec : command.script.arguments)
     if (spec.required()) written.push_back({spec.name, some_value(spec)});
-  const auto arguments = read_arguments(command.script.arguments, written, Unit::millimetre);
-  EXPECT_TRUE(arguments.ok()) << arguments.error().text;
-  if (!arguments.ok()) return false;
+  const auto arguments = test::must(read_arguments(command.script.arguments, written, Unit::millimetre));
   const auto done = session.run(command, *arguments);
   if (done.ok()) return true;
   EXPECT_GT(done.error().text.size(), 8U);
@@ -130,6 +128,66 @@ TEST(ScriptCommands, EveryCommandRunsWithItsDefaultsOrSaysWhyNot) {
   for (const char* id : {"add.box", "transform.move", "select.all", "object.duplicate", "mesh.subdivide",
                          "solid.row", "property.scale", "outline.convert", "skin.add_section"})
     EXPECT_TRUE(ran.contains(id)) << id;
+}
+
+/// Values that an argument may have: both states, every word, or numbers at the low end of the range.
+std::vector<WrittenValue> values_of(const ArgumentSpec& spec) {
+  std::vector<WrittenValue> out;
+  if (spec.type == ArgumentType::on_off) {
+    out = {true, false};
+  } else if (spec.type == ArgumentType::word) {
+    for (const std::string& word : spec.words) out.push_back(word);
+  } else {
+    const double low = std::isfinite(spec.low) ? spec.low : 0;
+    out = {low, std::min(low + 1, 0.5 * (low + std::min(spec.high, low + 2)))};
+  }
+  return out;
+}
+
+/// Sets the property of an object of a sample to each of its values; true where one of them was taken.
+bool keeps_values(const std::string& sample, const std::string& id) {
+  ScriptSession session(open_plainly);
+  prepare(session, sample, ElementMode::object);
+  const Command& command = *session.commands().find(id);
+  const ArgumentSpec& spec = command.script.arguments.front();
+  bool taken = false;
+  for (const WrittenValue& value : values_of(spec)) {
+    const std::vector<WrittenArgument> wanted{{spec.name, value}};
+    const auto arguments = read_arguments(command.script.arguments, wanted, Unit::millimetre);
+    EXPECT_TRUE(arguments.ok()) << id;
+    if (!arguments.ok() || !session.run(command, *arguments).ok()) continue;
+    const Object* object = session.editor().active_object();
+    EXPECT_TRUE(object && command.script.read(*object) == wanted) << id << " " << sample;
+    taken = true;
+  }
+  return taken;
+}
+
+/// Properties with one argument; not edits of sections, paths and halves, which may not be possible.
+std::vector<std::string> plain_properties() {
+  const std::set<std::string> edits{"property.mirror", "property.skin_frame", "property.skin_closed",
+                                    "property.skin_closed_path"};
+  const ScriptSession session(open_plainly);
+  std::vector<std::string> out;
+  for (const Command& command : session.commands().all())
+    if (command.id.starts_with("property.") && command.script.read && !edits.contains(command.id) &&
+        command.script.arguments.size() == 1)
+      out.push_back(command.id);
+  return out;
+}
+
+/// Rows of panels, commands and scripts share the tables of properties.
+TEST(ScriptCommands, APropertyIsAfterwardsWhatAScriptSetItTo) {
+  std::set<std::string> kept;
+  for (const std::string& id : plain_properties())
+    for (const char* sample : {"", "solids_one.hariko", "skin_smooth.hariko"})
+      if (keeps_values(sample, id)) kept.insert(id);
+  for (const char* id :
+       {"property.scale", "property.map", "property.material", "property.density", "property.split_concave",
+        "property.merge_coplanar", "property.automatic_tension", "property.envelope_method",
+        "property.clearance", "property.envelope_symmetry", "property.skin_method", "property.skin_columns",
+        "property.skin_placed", "property.skin_mirror", "property.skin_flip"})
+    EXPECT_TRUE(kept.contains(id)) << id;
 }
 
 TEST(ScriptCommands, TheWindowIsNeededWhereHandsAre) {

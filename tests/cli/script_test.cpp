@@ -90,8 +90,7 @@ TEST_F(Scripts, DocumentsComeInAndGoOut) {
 
 TEST_F(Scripts, StandardStreamsAreFiles) {
   script(list(step("add.torus"), step("object.rename", {{"name", "Ring"}})));
-  const Outcome piped = run("run - --out -", path("script.json"));
-  ASSERT_EQ(piped.exit_code, 0) << piped.error;
+  const Outcome piped = succeed("run - --out -", path("script.json"));
   write_text(path("ring.hariko"), piped.out);
   EXPECT_EQ(saved("ring.hariko").objects.at(0)->name, "Ring");
   const Outcome both = run("run - --in -", path("script.json"));
@@ -331,10 +330,8 @@ TEST_F(Scripts, WrongUsageGivesTwo) {
 }
 
 TEST_F(Scripts, TheListHasEveryCommandWithItsArguments) {
-  const Outcome text = run("run --list");
-  ASSERT_EQ(text.exit_code, 0) << text.error;
-  const Outcome result = run("run --list --json");
-  ASSERT_EQ(result.exit_code, 0) << result.error;
+  const Outcome text = succeed("run --list");
+  const Outcome result = succeed("run --list --json");
   const Json list = result.json();
   ASSERT_TRUE(list.is_object() && list["commands"].is_array());
   std::set<std::string> ids;

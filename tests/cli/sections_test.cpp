@@ -46,8 +46,7 @@ TEST_F(Sections, PlanesOfSymmetryCutWholeCurvesAndNoSpecks) {
       {"cube", {1, 1, 1, 1, 1, 1, 1}}, {"torus", {1, 1, 2, 2, 2, 1, 1}}, {"genus3", {1, 2, 1, 2, 1, 2, 1}}};
   for (const auto& [model, counts] : models) {
     const std::string file = source_folder() + "/assets/samples/" + model + ".hariko";
-    const Outcome result = run("sections " + file + " " + path("a.dxf") + " --json");
-    ASSERT_EQ(result.exit_code, 0) << result.error;
+    const Outcome result = succeed("sections " + file + " " + path("a.dxf") + " --json");
     EXPECT_EQ(closed_curves(result.json()["curves"], 7), counts) << model;
   }
   // The smooth surface of a cube of 50 mm, cut in the middle.
@@ -75,8 +74,7 @@ TEST_F(Sections, BallsAndRingsOfCadProgramsAreCutInClosedCurves) {
   EXPECT_EQ(closed_curves(circle, 1), std::vector<int>{1});
   EXPECT_NEAR(circle.at(0)["length"].get<double>(), 31.416, 0.05);
   const Outcome ring =
-      run("sections " + cases + "step_torus_of_vertex_loop.step " + path("a.dxf") + " --json");
-  ASSERT_EQ(ring.exit_code, 0) << ring.error;
+      succeed("sections " + cases + "step_torus_of_vertex_loop.step " + path("a.dxf") + " --json");
   const Json curves = ring.json()["curves"];
   EXPECT_EQ(closed_curves(curves, 7), (std::vector<int>{1, 1, 2, 2, 2, 1, 1}));
   // The planes lie symmetrically: the second and the last but one cut the same curve.
@@ -86,9 +84,8 @@ TEST_F(Sections, BallsAndRingsOfCadProgramsAreCutInClosedCurves) {
 TEST_F(Sections, DxfWithoutCombsHasThePlacesOfThePlanes) {
   // One flat triangle.
   write_text(path("flat.obj"), "v 0 0 0\nv 10 0 0\nv 0 0 10\nf 1 2 3\n");
-  const Outcome result = run("sections " + path("flat.obj") + " " + path("a.dxf") +
-                             " --across z --planes 2 --first 2 --step 3 --combs off --json");
-  ASSERT_EQ(result.exit_code, 0) << result.error;
+  const Outcome result = succeed("sections " + path("flat.obj") + " " + path("a.dxf") +
+                                 " --across z --planes 2 --first 2 --step 3 --combs off --json");
   const Json curves = result.json()["curves"];
   ASSERT_EQ(curves.size(), 2U);
   EXPECT_NEAR(curves[0]["length"].get<double>(), 8, 0.2);

@@ -1,7 +1,6 @@
 // Skins on the command line: the plain layout, `info`, `evaluate` and the control mesh.
 
 #include <array>
-#include <cmath>
 #include <sstream>
 
 #include "tests/cli/program.hpp"
@@ -21,12 +20,11 @@ class SkinCommands : public ProgramTest {
 };
 
 TEST_F(SkinCommands, EvaluateGivesTheGoldenValues) {
-  // What the layout does not say is as in these configurations.
+  // Settings that the layout does not give are as in these configurations.
   for (const auto& [name, configuration] : {std::pair("fig9_interior", "fig9_interior/pleat_quads"),
                                             std::pair("car_edited", "car_edited/pleat_fair200")}) {
     SCOPED_TRACE(name);
-    const Outcome result = run("evaluate " + sections(name));
-    ASSERT_EQ(result.exit_code, 0) << result.error;
+    const Outcome result = succeed("evaluate " + sections(name));
     const Json got = result.json(), expected = golden_case(configuration);
     for (const char* key : {"vertices", "faces", "edges", "quads", "tris", "ngons", "extraordinary", "euler",
                             "boundary_vertices", "nonmanifold_edges", "crease_edges", "corner_vertices",
@@ -45,8 +43,7 @@ TEST_F(SkinCommands, EvaluateGivesTheGoldenValues) {
           EXPECT_NEAR(got["samples"][sample["vertex"].get<std::size_t>()][key][axis].get<double>(),
                       sample[key][axis].get<double>(), 1e-5);
   }
-  const Outcome smooth = run("evaluate " + test::source_folder() + "/assets/samples/skin_smooth.hariko");
-  ASSERT_EQ(smooth.exit_code, 0) << smooth.error;
+  const Outcome smooth = succeed("evaluate " + test::source_folder() + "/assets/samples/skin_smooth.hariko");
   EXPECT_EQ(smooth.json()["grid"], Json({7, 8}));
   EXPECT_EQ(smooth.json()["params"].size(), 2U) << "one row a section";
 }
@@ -67,15 +64,13 @@ TEST_F(SkinCommands, FarFromZeroIsAsPreciseAsAtZero) {
   for (const double place : {0.0, 1e3, 1e6}) {
     SCOPED_TRACE(place);
     write_text(path("a.json"), moved(far, {place - 1e6, place - 1e6, place - 1e6}).dump());
-    const Outcome result = run("info --json " + path("a.json"));
-    ASSERT_EQ(result.exit_code, 0) << result.error;
+    const Outcome result = succeed("info --json " + path("a.json"));
     const Json object = result.object();
     // Pleats of equal cost fall either way, by the last digits of the points.
     EXPECT_NEAR(object["volume"].get<double>(), 14879.3, 0.5);
     EXPECT_EQ(object["degenerate_samples"], 0);
     for (const Json& miss : object["skin"]["section_miss"]) EXPECT_LT(miss.get<double>(), 1e-6);
-    const Outcome evaluated = run("evaluate " + path("a.json"));
-    ASSERT_EQ(evaluated.exit_code, 0) << evaluated.error;
+    const Outcome evaluated = succeed("evaluate " + path("a.json"));
     // Object space: what is far from zero gets a place for its object.
     EXPECT_NEAR(evaluated.json()["control"]["points"][0][2].get<double>(), place > 1e5 ? 0 : place, 100);
     ASSERT_EQ(run("export --control " + path("a.json") + " " + path("a.obj")).exit_code, 0);
@@ -88,8 +83,7 @@ TEST_F(SkinCommands, FarFromZeroIsAsPreciseAsAtZero) {
 }
 
 TEST_F(SkinCommands, InfoTellsHowNearTheSectionsAre) {
-  const Outcome result = run("info --json " + sections("car_edited"));
-  ASSERT_EQ(result.exit_code, 0) << result.error;
+  const Outcome result = succeed("info --json " + sections("car_edited"));
   const Json object = result.object(), skin = object["skin"];
   EXPECT_EQ(object["kind"], "skin");
   EXPECT_EQ(object["vertices"], 191);
@@ -122,14 +116,12 @@ TEST_F(SkinCommands, SkinsBecomeTrianglesAndPaperAsOtherSurfacesDo) {
   EXPECT_LE(distance["bound"].get<double>(), 0.01);
   EXPECT_LE(distance["measured"].get<double>(), distance["bound"].get<double>());
   const Outcome paper =
-      run("unfold " + sections("fig5") + " '" + path("out.svg") + "' --height 100 --steps 200 --json");
-  ASSERT_EQ(paper.exit_code, 0) << paper.error;
+      succeed("unfold " + sections("fig5") + " '" + path("out.svg") + "' --height 100 --steps 200 --json");
   EXPECT_EQ(paper.json()["overlaps"], 0);
 }
 
 TEST_F(SkinCommands, TheControlMeshIsWrittenWithItsCreases) {
-  const Outcome result = run("export --control " + sections("sharp3") + " '" + path("out.obj") + "'");
-  ASSERT_EQ(result.exit_code, 0) << result.error;
+  succeed("export --control " + sections("sharp3") + " '" + path("out.obj") + "'");
   const Json expected = golden_case("sharp3/pleat_fair200");
   std::istringstream lines(read_text(path("out.obj")));
   std::string line;

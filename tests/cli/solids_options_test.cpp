@@ -8,8 +8,7 @@ namespace {
 class SolidsOptions : public ProgramTest {
  protected:
   Json envelope(const std::string& file, const std::string& options, Json* object = nullptr) {
-    const Outcome result = run("info '" + file + "' --json " + options);
-    EXPECT_EQ(result.exit_code, 0) << result.error;
+    const Outcome result = succeed("info '" + file + "' --json " + options);
     const Json found = result.object();
     if (object) *object = found;
     return found.is_object() ? found["envelope"] : Json();

@@ -1,7 +1,6 @@
 // hariko unfold: files, sizes, refusals.
 
 #include <algorithm>
-#include <cmath>
 
 #include "core/document/edits/edit_objects.hpp"
 #include "core/document/file.hpp"
@@ -20,8 +19,7 @@ TEST_F(Unfold, WritesEveryFormatAndSaysWhatItMade) {
   const std::string outs =
       path("w.json") + " " + path("w.svg") + " " + path("w.dxf") + " " + path("w.pdf") + " " + path("w.png");
   const Outcome result =
-      run("unfold " + facets("wave_opt") + " " + outs + " --width 250 --steps 20000 --json");
-  ASSERT_EQ(result.exit_code, 0) << result.error;
+      succeed("unfold " + facets("wave_opt") + " " + outs + " --width 250 --steps 20000 --json");
   const Json summary = result.json();
   EXPECT_EQ(summary["facets"], 241);
   EXPECT_EQ(summary["overlaps"], 0);
@@ -88,8 +86,7 @@ TEST_F(Unfold, KindsFromElsewhereAreLeftOutWithACount) {
     document =
         add_object(document, name, UnknownSource{"dream", std::string("{\"kind\":\"dream\"}")})->document;
   ASSERT_TRUE(save_document(document, path("a.hariko")).ok());
-  const Outcome result = run("unfold " + path("a.hariko") + " " + path("o.svg"));
-  EXPECT_EQ(result.exit_code, 0) << result.error;
+  const Outcome result = succeed("unfold " + path("a.hariko") + " " + path("o.svg"));
   EXPECT_NE(result.error.find("W_NOT_WRITTEN: Objects left out: 2 (\"one\", \"two\")"), std::string::npos)
       << result.error;
 }
@@ -113,18 +110,15 @@ TEST_F(Unfold, PagesAreNotLostOnTheStandardOutput) {
   EXPECT_EQ(large.exit_code, 1) << "SVG has one page a file";
   EXPECT_EQ(large.out, "");
   EXPECT_NE(large.error.find("E_OUTPUT"), std::string::npos) << large.error;
-  const Outcome whole = run(cube + "--to pdf --height 400");
-  EXPECT_EQ(whole.exit_code, 0) << whole.error;
+  const Outcome whole = succeed(cube + "--to pdf --height 400");
   EXPECT_TRUE(whole.out.starts_with("%PDF"));
-  const Outcome small = run(cube + "--to svg --height 50");
-  EXPECT_EQ(small.exit_code, 0) << small.error;
+  const Outcome small = succeed(cube + "--to svg --height 50");
   EXPECT_TRUE(small.out.starts_with("<?xml"));
 }
 
 TEST_F(Unfold, FacesOfAnyNumberOfSidesStayWhole) {
-  const Outcome cube = run("unfold " + golden("cube.obj") + " " + path("c.svg") + " " + path("c.json") +
-                           " --height 50 --json");
-  ASSERT_EQ(cube.exit_code, 0) << cube.error;
+  const Outcome cube = succeed("unfold " + golden("cube.obj") + " " + path("c.svg") + " " + path("c.json") +
+                               " --height 50 --json");
   EXPECT_EQ(cube.json()["facets"], 6);
   EXPECT_EQ(cube.json()["pieces"], 1);
   EXPECT_EQ(cube.json()["joints"], 7);
@@ -134,8 +128,7 @@ TEST_F(Unfold, FacesOfAnyNumberOfSidesStayWhole) {
   EXPECT_EQ(layout["folds"].size(), 5U);
 
   const Outcome twelve =
-      run("unfold " + facets("dodecahedron_pentagons") + " " + path("d.svg") + " --height 100 --json");
-  ASSERT_EQ(twelve.exit_code, 0) << twelve.error;
+      succeed("unfold " + facets("dodecahedron_pentagons") + " " + path("d.svg") + " --height 100 --json");
   EXPECT_EQ(twelve.json()["facets"], 12);
   EXPECT_LE(twelve.json()["pieces"], 2);
   EXPECT_EQ(twelve.json()["overlaps"], 0);
@@ -153,8 +146,7 @@ TEST_F(Unfold, TrianglesWithCornersOfTheirOwnHangTogether) {
 }
 
 TEST_F(Unfold, FacetsLargerThanThePageAreCutOrTheModelFits) {
-  const Outcome cut = run("unfold " + golden("cube.obj") + " " + path("c.svg") + " --height 400 --json");
-  ASSERT_EQ(cut.exit_code, 0) << cut.error;
+  const Outcome cut = succeed("unfold " + golden("cube.obj") + " " + path("c.svg") + " --height 400 --json");
   EXPECT_NE(cut.error.find("6 facets are larger than the page"), std::string::npos) << cut.error;
   EXPECT_GT(cut.json()["facets"], 6);
   EXPECT_EQ(cut.json()["overlaps"], 0);
@@ -166,8 +158,7 @@ TEST_F(Unfold, FacetsLargerThanThePageAreCutOrTheModelFits) {
     EXPECT_TRUE(std::filesystem::exists(path("c-" + std::to_string(page) + ".svg"))) << page;
   EXPECT_FALSE(std::filesystem::exists(path("c-" + std::to_string(pages + 1) + ".svg")));
 
-  const Outcome fit = run("unfold " + golden("cube.obj") + " " + path("f.svg") + " --fit --json");
-  ASSERT_EQ(fit.exit_code, 0) << fit.error;
+  const Outcome fit = succeed("unfold " + golden("cube.obj") + " " + path("f.svg") + " --fit --json");
   EXPECT_EQ(fit.json()["facets"], 6);
   // A4 less margins and tabs is 180 mm wide.
   EXPECT_NEAR(2 * fit.json()["scale"].get<double>(), 180, 2);
@@ -175,12 +166,10 @@ TEST_F(Unfold, FacetsLargerThanThePageAreCutOrTheModelFits) {
 }
 
 TEST_F(Unfold, SizesThatAreHardlyMeantAreTold) {
-  const Outcome small = run("unfold " + golden("cube.obj") + " " + path("c.svg") + " --height 9");
-  EXPECT_EQ(small.exit_code, 0) << small.error;
+  const Outcome small = succeed("unfold " + golden("cube.obj") + " " + path("c.svg") + " --height 9");
   EXPECT_NE(small.error.find("9.0 mm small"), std::string::npos) << small.error;
   const Outcome large =
-      run("unfold " + golden("cube.obj") + " " + path("c.svg") + " --height 2100 --page 3000x3000");
-  EXPECT_EQ(large.exit_code, 0) << large.error;
+      succeed("unfold " + golden("cube.obj") + " " + path("c.svg") + " --height 2100 --page 3000x3000");
   EXPECT_NE(large.error.find("2.10 m large"), std::string::npos) << large.error;
   const Outcome usual = run("unfold " + golden("cube.obj") + " " + path("c.svg") + " --height 60");
   EXPECT_EQ(usual.error, "");
@@ -232,13 +221,11 @@ std::string loose_cube(double off) {
 TEST_F(Unfold, CornersThatAreNearlyEqualAreJoinedWhereThatIsAsked) {
   write_text(path("near.obj"), loose_cube(1e-3));
   const std::string unfold = "unfold " + path("near.obj") + " " + path("o.svg") + " --json";
-  const Outcome loose = run(unfold);
-  ASSERT_EQ(loose.exit_code, 0) << loose.error;
+  const Outcome loose = succeed(unfold);
   EXPECT_EQ(loose.json()["components"], 6);
   EXPECT_NE(loose.error.find("W_NEAR_CORNERS"), std::string::npos) << loose.error;
   EXPECT_NE(loose.error.find("(--weld 0.00"), std::string::npos) << loose.error;
-  const Outcome joined = run(unfold + " --weld 0.01");
-  ASSERT_EQ(joined.exit_code, 0) << joined.error;
+  const Outcome joined = succeed(unfold + " --weld 0.01");
   EXPECT_EQ(joined.json()["components"], 1);
   EXPECT_EQ(joined.json()["pieces"], 1);
   EXPECT_EQ(joined.json()["joints"], 7);
@@ -256,8 +243,7 @@ TEST_F(Unfold, MeshesThatAreNotManifoldAreRepairedWhereThatIsAsked) {
   EXPECT_NE(refused.error.find("W_CAN_BE_OPENED"), std::string::npos) << refused.error;
   EXPECT_NE(refused.error.find("--repair"), std::string::npos) << refused.error;
   EXPECT_EQ(run(unfold + " --reference").exit_code, 1);
-  const Outcome repaired = run(unfold + " --repair");
-  ASSERT_EQ(repaired.exit_code, 0) << repaired.error;
+  const Outcome repaired = succeed(unfold + " --repair");
   EXPECT_NE(repaired.error.find("faces turned: 1"), std::string::npos) << repaired.error;
   EXPECT_EQ(repaired.json()["facets"], 5);
   EXPECT_EQ(repaired.json()["pieces"], 1);
@@ -268,8 +254,7 @@ TEST_F(Unfold, BezierPatchesBesidePolygonsAreUnfoldedToo) {
       path("both.obj"),
       "o plate\nv 0 0 0\nv 20 0 0\nv 20 20 0\nv 0 20 0\nf 1 2 3 4\no flag\nv 30 0 0\nv 50 0 0\nv 30 20 0\n"
       "v 50 20 0\ncstype bezier\ndeg 1 1\nsurf 0 1 0 1 5 6 7 8\nparm u 0 1\nparm v 0 1\nend\n");
-  const Outcome result = run("unfold " + path("both.obj") + " " + path("o.svg") + " --json");
-  ASSERT_EQ(result.exit_code, 0) << result.error;
+  const Outcome result = succeed("unfold " + path("both.obj") + " " + path("o.svg") + " --json");
   EXPECT_EQ(result.json()["components"], 2);
   EXPECT_EQ(result.json()["pieces"], 2);
 }

@@ -11,17 +11,14 @@ namespace {
 class Usage : public ProgramTest {};
 
 TEST_F(Usage, HelpAndVersion) {
-  const Outcome help = run("--help");
-  EXPECT_EQ(help.exit_code, 0);
+  const Outcome help = succeed("--help");
   for (const char* word : {"info", "export", "render", "evaluate", "unfold", "run", "Exit codes"})
     EXPECT_NE(help.out.find(word), std::string::npos) << word;
   for (const std::string command : {"info", "export", "render", "sections", "evaluate", "unfold", "run"}) {
-    const Outcome own = run(command + " --help");
-    EXPECT_EQ(own.exit_code, 0) << command;
+    const Outcome own = succeed(command + " --help");
     EXPECT_NE(own.out.find("FILE"), std::string::npos) << command;
   }
-  const Outcome version = run("--version");
-  EXPECT_EQ(version.exit_code, 0);
+  const Outcome version = succeed("--version");
   EXPECT_EQ(version.out.rfind("hariko ", 0), 0U);
 }
 

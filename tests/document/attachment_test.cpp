@@ -1,8 +1,6 @@
 // Attachments: border edges joined to sides of patch objects, as a document keeps them and as surfaces
 // follow.
 
-#include <gtest/gtest.h>
-
 #include "core/document/convert_unit.hpp"
 #include "core/document/edits/edits.hpp"
 #include "core/document/format/format.hpp"
@@ -11,10 +9,8 @@
 #include "tests/document/random_documents.hpp"
 #include "tests/support/random_joins.hpp"
 
-namespace hariko {
+namespace hariko::test {
 namespace {
-
-using namespace test;
 
 /// An object 1 with a side for each join of a random case, each a net of its own, and the polyhedron after
 /// them.
@@ -51,9 +47,7 @@ Joined random_joined(std::mt19937_64& rng, double smooth, Adapts adapts, const S
 }
 
 Surface surface_in(const Document& document, ObjectId id) {
-  auto made = object_surface(document, *document.find(id));
-  EXPECT_TRUE(made.ok()) << to_string(made.error());
-  if (!made.ok()) return {};
+  auto made = must(object_surface(document, *document.find(id)));
   EXPECT_TRUE(std::none_of(made->warnings.begin(), made->warnings.end(),
                            [](const Message& warning) { return warning.code == w_join_refused; }));
   return made->surface;
@@ -129,7 +123,7 @@ TEST(Attachment, EndsCanBeStoredWhereTheyAreSeen) {
     const Object& hood = *stored.find(joined.polyhedron);
     EXPECT_EQ(attached_polyhedron(joined.document, *joined.document.find(joined.polyhedron)),
               hood.polyhedron()->polyhedron);
-    // What is seen does not change by it.
+    // The picture does not change by storing the seen ends.
     EXPECT_EQ(attached_polyhedron(stored, hood), hood.polyhedron()->polyhedron);
     EXPECT_EQ(with_seen_ends(stored, joined.polyhedron), stored);
     EXPECT_EQ(with_seen_ends(joined.document, joined.patches.front()), joined.document);
@@ -158,8 +152,7 @@ TEST(Attachment, RoundTripsAndUndoes) {
     Joined joined = random_joined(rng, 0.5, chance(rng, 0.5) ? Adapts::surface : Adapts::patch);
     if (joined.patches.empty()) return;
     const std::string text = write_document(joined.document);
-    const auto read = read_document(text);
-    ASSERT_TRUE(read.ok()) << to_string(read.error());
+    const auto read = must(read_document(text));
     EXPECT_EQ(*read, joined.document);
     EXPECT_EQ(write_document(*read), text);
     History history(joined.document);
@@ -211,8 +204,7 @@ TEST(Attachment, RefusalsAndCycles) {
   // The hood follows the wing; the wing cannot follow the hood as well.
   const auto cycle =
       attach_edge(one, hood.id, other, {patch.id, {1, 0}, true, Continuity::g1, Adapts::patch});
-  ASSERT_FALSE(cycle.ok());
-  EXPECT_EQ(cycle.error().code, e_attachment_cycle);
+  must_fail(cycle, e_attachment_cycle);
   EXPECT_NE(cycle.error().text.find("Hood"), std::string::npos);
   EXPECT_NE(cycle.error().text.find("Wing"), std::string::npos);
   // A file with such a cycle opens, and the surface says what is wrong.
@@ -356,4 +348,4 @@ TEST(AdaptedNet, SidesOfOneGridAgree) {
 }
 
 }  // namespace
-}  // namespace hariko
+}  // namespace hariko::test

@@ -1,7 +1,5 @@
 // Dimensions in the document: adding, removing, moving labels, and what becomes of them when objects change.
 
-#include <gtest/gtest.h>
-
 #include "core/document/convert_unit.hpp"
 #include "core/document/edits/edits.hpp"
 #include "core/document/history/history.hpp"

@@ -1,7 +1,5 @@
 #include "core/document/edits/edit_outlines.hpp"
 
-#include <gtest/gtest.h>
-
 #include "core/base/files/file_io.hpp"
 #include "core/document/edits/edit_elements.hpp"
 #include "core/document/edits/edit_objects.hpp"
@@ -9,6 +7,7 @@
 #include "core/gaussmap/outlines/border_outline.hpp"
 #include "core/gaussmap/outlines/edit_outline.hpp"
 #include "core/polyhedron/validation.hpp"
+#include "tests/support/must.hpp"
 #include "tests/support/places.hpp"
 
 namespace hariko {
@@ -30,8 +29,7 @@ Result<Document> moved(const Document& document, ObjectId id, const Vector3& to)
 TEST(EditOutlines, ChangeOneObjectAndShareTheRest) {
   const Document document = with_cap();
   const ObjectId id = document.objects[0]->id;
-  const auto done = moved(document, id, {1, 2, 3});
-  ASSERT_TRUE(done.ok()) << to_string(done.error());
+  const auto done = test::must(moved(document, id, {1, 2, 3}));
   EXPECT_EQ(done->objects[0]->outline()->outline->loops[0].points[3], Vector3(1, 2, 3));
   EXPECT_EQ(done->objects[0]->outline()->settings, document.objects[0]->outline()->settings);
   // Nothing changes: the same object.
@@ -66,8 +64,7 @@ TEST(EditOutlines, SettingsHaveRanges) {
   settings.mode = GaussMode::position;
   settings.radius = 0.4;
   settings.gap = 0.01;
-  const auto done = set_outline_settings(document, id, settings);
-  ASSERT_TRUE(done.ok());
+  const auto done = test::must(set_outline_settings(document, id, settings));
   EXPECT_EQ(done->objects[0]->outline()->settings, settings);
   const auto refused = [&](auto&& change) {
     OutlineSettings bad = settings;
@@ -89,8 +86,7 @@ TEST(EditOutlines, FramesAreSetAsThoseOfPolyhedra) {
   const Document document = with_cap();
   const ObjectId id = document.objects[0]->id;
   ASSERT_EQ(surface_frames(document.objects[0]->source), Frames::equal) << "what files without them mean";
-  const auto metric = set_frames(document, id, Frames::metric);
-  ASSERT_TRUE(metric.ok()) << to_string(metric.error());
+  const auto metric = test::must(set_frames(document, id, Frames::metric));
   EXPECT_EQ(metric->objects[0]->outline()->settings.frames, Frames::metric);
   EXPECT_EQ(surface_frames(metric->objects[0]->source), Frames::metric);
   EXPECT_EQ(metric->objects[0]->outline()->outline.get(), document.objects[0]->outline()->outline.get());

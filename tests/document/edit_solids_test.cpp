@@ -2,12 +2,10 @@
 
 #include "core/document/edits/edit_solids.hpp"
 
-#include <gtest/gtest.h>
-
 #include <array>
-#include <limits>
 
 #include "core/document/edits/edits.hpp"
+#include "tests/support/must.hpp"
 
 namespace hariko::test {
 
@@ -38,10 +36,8 @@ const EnvelopeInput& input_of(const Document& document, ObjectId id) {
 
 TEST(EditSolids, ANewSolidGetsTheNextId) {
   const auto [document, id] = two_solids();
-  Solid cone;
-  cone.kind = SolidKind::cone;
-  const auto added = add_solid(document, id, cone);
-  ASSERT_TRUE(added.ok());
+  Solid cone{.kind = SolidKind::cone};
+  const auto added = must(add_solid(document, id, cone));
   ASSERT_EQ(input_of(*added, id).solids.size(), 3U);
   EXPECT_EQ(input_of(*added, id).solids.back().id, 9U);
   EXPECT_EQ(find_solid(*added->find(id), 9)->kind, SolidKind::cone);
@@ -55,17 +51,15 @@ TEST(EditSolids, OnlyTheNamedSolidsChange) {
   ASSERT_TRUE(moved.ok());
   EXPECT_EQ(find_solid(*moved->find(id), 8)->position, Vector3(1, 0, 2));
   EXPECT_EQ(*find_solid(*moved->find(id), 3), *find_solid(*document.find(id), 3));
-  // What changes nothing shares its object.
-  const auto same = change_solids(document, id, ids, [](Solid&) {});
-  ASSERT_TRUE(same.ok());
+  // Edits that change nothing share their object.
+  const auto same = must(change_solids(document, id, ids, [](Solid&) {}));
   EXPECT_EQ(*same, document);
 }
 
 TEST(EditSolids, TheLastSolidCannotBeRemoved) {
   const auto [document, id] = two_solids();
   const std::array<std::uint32_t, 1> ids{3};
-  const auto removed = remove_solids(document, id, ids);
-  ASSERT_TRUE(removed.ok());
+  const auto removed = must(remove_solids(document, id, ids));
   const EnvelopeInput& input = input_of(*removed, id);
   ASSERT_EQ(input.solids.size(), 1U);
   EXPECT_EQ(input.solids[0].id, 8U);
@@ -89,8 +83,7 @@ TEST(EditSolids, BadValuesLocksAndOtherObjectsAreRefused) {
 TEST(EditSolids, ARowHasCopiesAtEqualDistances) {
   const auto [document, id] = two_solids();
   std::vector<std::uint32_t> added;
-  const auto made = array_solids(document, id, std::array<std::uint32_t, 1>{8}, 3, {0, 2, 1}, added);
-  ASSERT_TRUE(made.ok());
+  const auto made = must(array_solids(document, id, std::array<std::uint32_t, 1>{8}, 3, {0, 2, 1}, added));
   const EnvelopeInput& input = input_of(*made, id);
   ASSERT_EQ(input.solids.size(), 5U);
   EXPECT_EQ(added, (std::vector<std::uint32_t>{9, 10, 11}));
@@ -107,8 +100,7 @@ TEST(EditSolids, ARowHasCopiesAtEqualDistances) {
 
 TEST(EditSolids, ACopiedBridgeJoinsTheCopies) {
   auto [document, id] = two_solids();
-  Solid bar;
-  bar.kind = SolidKind::capsule;
+  Solid bar{.kind = SolidKind::capsule};
   bar.bridge = Bridge{{3, 8}, 0.5};
   document = add_solid(document, id, bar).value();
   std::vector<std::uint32_t> added;
@@ -119,8 +111,7 @@ TEST(EditSolids, ACopiedBridgeJoinsTheCopies) {
   EXPECT_EQ(find_solid(*all->find(id), 12)->bridge, (Bridge{{10, 11}, 0.5}));
   EXPECT_EQ(find_solid(*all->find(id), 15)->bridge, (Bridge{{13, 14}, 0.5}));
   // A solid that is not copied is held by both bars.
-  const auto some = array_solids(document, id, std::array<std::uint32_t, 2>{8, 9}, 1, {0, 0, 5}, added);
-  ASSERT_TRUE(some.ok());
+  const auto some = must(array_solids(document, id, std::array<std::uint32_t, 2>{8, 9}, 1, {0, 0, 5}, added));
   EXPECT_EQ(find_solid(*some->find(id), 11)->bridge, (Bridge{{3, 10}, 0.5}));
   const auto flat = change_solids(document, id, std::array<std::uint32_t, 1>{9},
                                   [](Solid& s) { s.bridge->ball_radius = 0; });

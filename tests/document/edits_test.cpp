@@ -2,8 +2,6 @@
 
 #include "core/document/edits/edits.hpp"
 
-#include <gtest/gtest.h>
-
 #include <limits>
 
 #include "core/document/object_box.hpp"
@@ -150,19 +148,19 @@ TEST(Edits, CreasesTagsPinsAndMode) {
   expect_error(set_vertex_tag(before, cube_id, Vertices{{8}}, VertexTag::corner), e_unknown_element);
 
   const Pin pin{Pin::Kind::tangents, {{1, 0, 0}, {0, 1, 0}}};
-  const Document pinned = set_pin(before, cube_id, {0}, pin).value();
-  EXPECT_EQ(*polyhedron_of(pinned).shaping->pin.find({0}), pin);
+  PolyhedronSource source = polyhedron_of(before);
+  Shaping shaping = *source.shaping;
+  shaping.pin.set({0}, pin);
+  source.shaping = std::move(shaping);
+  const Document pinned = set_source(before, cube_id, source).value();
   EXPECT_TRUE(clear_pins(pinned, cube_id, Vertices{{0}, {1}}).value() == before);
-  expect_error(set_pin(before, cube_id, {8}, pin), e_unknown_element);
   expect_error(clear_pins(before, cube_id, Vertices{{8}}), e_unknown_element);
-  expect_error(set_pin(before, cube_id, {0}, {Pin::Kind::normal, {{0, 0, 0}}}), e_pin_invalid);
-  expect_error(set_pin(before, cube_id, {0}, {Pin::Kind::normal, {{0, 0, 1}, {0, 0, 1}}}), e_pin_invalid);
-  expect_error(set_pin(before, cube_id, {0}, {Pin::Kind::tangents, {}}), e_pin_invalid);
-  expect_error(set_pin(before, cube_id, {0}, {Pin::Kind::tangents, {{nan_value, 0, 0}}}), e_pin_invalid);
+  expect_error(check_pin({Pin::Kind::normal, {{0, 0, 0}}}), e_pin_invalid);
+  expect_error(check_pin({Pin::Kind::normal, {{0, 0, 1}, {0, 0, 1}}}), e_pin_invalid);
+  expect_error(check_pin({Pin::Kind::tangents, {}}), e_pin_invalid);
+  expect_error(check_pin({Pin::Kind::tangents, {{nan_value, 0, 0}}}), e_pin_invalid);
 
-  Preparation preparation;
-  preparation.split_concave = true;
-  preparation.automatic_tension = 0.5;
+  Preparation preparation{.split_concave = true, .automatic_tension = 0.5};
   const Document prepared = set_preparation(before, cube_id, preparation).value();
   EXPECT_EQ(prepared.find(cube_id)->polyhedron()->preparation, preparation);
   for (const double bad : {-0.1, 1.1, std::numeric_limits<double>::quiet_NaN()}) {

@@ -2,7 +2,6 @@
 
 #include "core/document/file.hpp"
 
-#include <gtest/gtest.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -11,7 +10,6 @@
 
 #include "core/document/edits/edit_pictures.hpp"
 #include "core/document/edits/edits.hpp"
-#include "core/document/format/format.hpp"
 #include "tests/document/random_documents.hpp"
 
 namespace hariko {
@@ -76,8 +74,7 @@ TEST_F(DocumentFile, SavesAndLoads) {
     const Document document = test::any_document(rng);
     const fs::path path = folder_ / "Größe 張り子.hariko";
     ASSERT_TRUE(save_document(document, path));
-    const Result<Document> loaded = load_document(path);
-    ASSERT_TRUE(loaded) << to_string(loaded.error());
+    const Result<Document> loaded = test::must(load_document(path));
     // In memory pictures have absolute paths.
     ASSERT_TRUE(*loaded == with_absolute_pictures(document, folder_));
     ASSERT_EQ(files_in_folder(), 1U);

@@ -1,7 +1,5 @@
 // Files that are not documents: each gets its code, and nothing crashes, hangs or takes memory without bound.
 
-#include <gtest/gtest.h>
-
 #include "core/base/files/file_io.hpp"
 #include "core/document/edits/edit_elements.hpp"
 #include "core/document/format/format.hpp"
@@ -274,7 +272,7 @@ TEST(FormatErrors, DamagedFilesNeverCrash) {
       if (text.empty()) text = " ";
     }
     const Result<Document> read = read_document(text);
-    if (read) {  // what was accepted is a good document
+    if (read) {  // an accepted text is a good document
       const Result<Document> again = read_document(write_document(*read));
       ASSERT_TRUE(again) << text;
       ASSERT_TRUE(*again == *read) << text;

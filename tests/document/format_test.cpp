@@ -2,8 +2,6 @@
 
 #include "core/document/format/format.hpp"
 
-#include <gtest/gtest.h>
-
 #include <clocale>
 #include <cmath>
 
@@ -11,13 +9,8 @@
 #include "tests/document/file_texts.hpp"
 #include "tests/document/random_documents.hpp"
 
-namespace hariko {
+namespace hariko::test {
 namespace {
-
-using test::as_written_now;
-using test::file_text;
-using test::message_of;
-using test::with_rows_of_forms_now;
 
 /// Equality of values takes -0 for 0; the file must not.
 void expect_same_bits(const PolyhedronSource& a, const PolyhedronSource& b) {
@@ -48,8 +41,7 @@ TEST(Format, EqualityNoticesEveryField) {
     Document other = document;
     other.objects[0] = std::make_shared<const Object>(std::move(object));
     EXPECT_FALSE(other == document);
-    const Result<Document> again = read_document(write_document(other));
-    ASSERT_TRUE(again) << message_of(again);
+    const Result<Document> again = test::must(read_document(write_document(other)));
     EXPECT_TRUE(*again == other);
   };
   const auto source_of = [](Object& object) -> PolyhedronSource& {
@@ -74,6 +66,8 @@ TEST(Format, EqualityNoticesEveryField) {
   changed([](Object& o) { o.copies = LiveCopies{RingOfCopies{2, Vector3(1, 0, 0)}}; });
   changed([](Object& o) { o.copies = LiveCopies{RingOfCopies{2, Vector3(1, 0, 0), Vector3(0, 1, 0), 90}}; });
   changed([](Object& o) { o.copies = LiveCopies{ListOfCopies{{Similarity{}}}}; });
+  changed([](Object& o) { o.copies = LiveCopies{MirrorOfCopies{Vector3(1, 0, 0)}}; });
+  changed([](Object& o) { o.copies = LiveCopies{MirrorOfCopies{Vector3(1, 0, 0), Vector3(0, 1, 0)}}; });
   changed([](Object& o) { o.display.surface = false; });
   changed([](Object& o) { o.display.polyhedron = false; });
   changed([](Object& o) { o.display.network = false; });
@@ -132,8 +126,7 @@ TEST(Format, EqualityNoticesEveryFieldOfADimension) {
     Dimension other = plain;
     change(other);
     EXPECT_FALSE(with(other) == document);
-    const Result<Document> again = read_document(write_document(with(other)));
-    ASSERT_TRUE(again) << message_of(again);
+    const Result<Document> again = test::must(read_document(write_document(with(other))));
     EXPECT_TRUE(*again == with(other)) << write_document(*again);
   };
   changed([](Dimension& d) { d.id.value = 4; });
@@ -199,8 +192,7 @@ TEST(Format, LiveCopiesAreRelativeToAnOrigin) {
       at,
       "\"copies\": [{\"kind\": \"ring\", \"count\": 2, \"point\": [3, 0, 0], \"direction\": [0, 0, 1], "
       "\"angle\": 180}],\n      ");
-  const Result<Document> read = read_document(text);
-  ASSERT_TRUE(read) << message_of(read);
+  const Result<Document> read = test::must(read_document(text));
   const Object& object = *read->objects[0];
   EXPECT_EQ(std::get<RingOfCopies>((*object.copies)[0]).point, Vector3(3, 0, 0));
   EXPECT_EQ(places_of(object)[1].translation, object.transform.apply(Vector3(6, 0, 0)));
@@ -209,8 +201,7 @@ TEST(Format, LiveCopiesAreRelativeToAnOrigin) {
 /// Kinds that the fixtures of versions have not, with every member unlike its default.
 TEST(Format, EveryMemberOfTheOtherKindsHasItsPlaceInTheText) {
   const std::string text = file_text("tests/document/fixtures/v7_kinds.hariko");
-  const Result<Document> read = read_document(text);
-  ASSERT_TRUE(read) << message_of(read);
+  const Result<Document> read = test::must(read_document(text));
   EXPECT_EQ(write_document(*read), as_written_now(text, 7));
   ASSERT_EQ(read->objects.size(), 4U);
   for (const auto& object : read->objects) EXPECT_EQ(*object->kept, (KeptMembers{{"note", "[ 1,2 ]"}}));
@@ -230,12 +221,10 @@ TEST(Format, OutlinesWithoutFramesHaveEqualOnes) {
   EXPECT_EQ(read->objects[2]->outline()->settings.frames, Frames::equal) << "nothing old changes by itself";
   const std::string plain = write_document(*read);
   EXPECT_EQ(plain.find("\"frames\""), std::string::npos);
-  const Result<Document> metric = set_frames(*read, id, Frames::metric);
-  ASSERT_TRUE(metric) << message_of(metric);
+  const Result<Document> metric = test::must(set_frames(*read, id, Frames::metric));
   const std::string text = write_document(*metric);
   EXPECT_NE(text.find("\"mode\": \"g2\",\n        \"frames\": \"metric\"\n"), std::string::npos) << text;
-  const Result<Document> again = read_document(text);
-  ASSERT_TRUE(again) << message_of(again);
+  const Result<Document> again = test::must(read_document(text));
   EXPECT_EQ(*again, *metric);
   EXPECT_EQ(write_document(set_frames(*again, id, Frames::equal).value()), plain);
   std::string wrong = text;
@@ -248,8 +237,7 @@ TEST(Format, LeansAndSidesOfKeptFormsAreSaved) {
       with_rows_of_forms_now(as_written_now(file_text("tests/document/fixtures/v5.hariko"), 5));
   const std::string plain = "-0.0625, 0, 0]", leaning = "-0.0625, 0.03125, 0.75]";
   text.replace(text.find(plain), plain.size(), leaning);
-  const Result<Document> read = read_document(text);
-  ASSERT_TRUE(read) << message_of(read);
+  const Result<Document> read = test::must(read_document(text));
   EXPECT_EQ(read->objects[0]->polyhedron()->shaping->form.find({4})->edges[1].lean, 0.03125);
   EXPECT_EQ(write_document(*read), text);
   text.replace(text.find(leaning), leaning.size(), "-0.0625, 101, 0]");
@@ -264,8 +252,7 @@ TEST(Format, BridgesOfSolidsNameTwoSolids) {
     return read_document(
         changed.replace(changed.find(after), after.size(), after + ", \"bridge\": " + bridge));
   };
-  const auto read = with("{\"between\": [0, 1], \"ball_radius\": 0.75}");
-  ASSERT_TRUE(read) << message_of(read);
+  const auto read = test::must(with("{\"between\": [0, 1], \"ball_radius\": 0.75}"));
   EXPECT_EQ(read->objects[0]->solids()->input->solids[2].bridge, (Bridge{{0, 1}, 0.75}));
   for (const char* bad : {"3", "{}", "{\"between\": [0]}", "{\"between\": [0, 1, 2]}",
                           "{\"between\": [0, -1]}", "{\"between\": [0, 1], \"ball_radius\": \"hull\"}"})
@@ -280,12 +267,10 @@ TEST(Format, PullsOfSolidsComeBack) {
     const std::string after = "\"length\": 1.5";
     return read_document(changed.replace(changed.find(after), after.size(), after + ", \"pulls\": " + pulls));
   };
-  const auto read = with("[{\"place\": [0.5, 0, 1.25], \"radius\": 0.75}]");
-  ASSERT_TRUE(read) << message_of(read);
+  const auto read = test::must(with("[{\"place\": [0.5, 0, 1.25], \"radius\": 0.75}]"));
   const std::vector<Pull> pulls{{{0.5, 0, 1.25}, 0.75}};
   EXPECT_EQ(read->objects[0]->solids()->input->solids[2].pulls, pulls);
-  const auto again = read_document(write_document(*read));
-  ASSERT_TRUE(again) << message_of(again);
+  const auto again = test::must(read_document(write_document(*read)));
   EXPECT_EQ(again->objects[0]->solids()->input->solids[2].pulls, pulls);
   for (const char* bad :
        {"3", "[3]", "[{}]", "[{\"place\": [0, 0], \"radius\": 1}]", "[{\"place\": [0, 0, 1]}]"})
@@ -364,7 +349,7 @@ TEST(Format, OnlyEssentialsAreNeeded) {
 TEST(Format, EmptyDocument) {
   EXPECT_EQ(
       write_document({}),
-      "{\n  \"format\": \"hariko\",\n  \"version\": 9,\n  \"unit\": \"mm\",\n  \"next_object_id\": 1,\n  "
+      "{\n  \"format\": \"hariko\",\n  \"version\": 10,\n  \"unit\": \"mm\",\n  \"next_object_id\": 1,\n  "
       "\"objects\": []\n}\n");
 }
 
@@ -385,4 +370,4 @@ TEST(Format, NumbersDoNotDependOnTheLocale) {
 }
 
 }  // namespace
-}  // namespace hariko
+}  // namespace hariko::test

@@ -1,25 +1,16 @@
 // Files of older versions: they open for ever, and mean what they meant.
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-
 #include "core/document/edits/edits.hpp"
 #include "core/document/format/format.hpp"
 #include "tests/document/file_texts.hpp"
+#include "tests/support/must.hpp"
 
-namespace hariko {
+namespace hariko::test {
 namespace {
-
-using test::as_written_now;
-using test::file_text;
-using test::message_of;
-using test::with_rows_of_forms_now;
 
 TEST(Format, FixtureOfVersion1ReadsForEver) {
   const std::string text = file_text("tests/document/fixtures/v1.hariko");
-  const Result<Document> read = read_document(text);
-  ASSERT_TRUE(read) << message_of(read);
+  const Result<Document> read = test::must(read_document(text));
   const Document& document = *read;
   EXPECT_EQ(document.unit, Unit::centimetre);
   EXPECT_EQ(document.next_object_id.value, 12U);
@@ -71,8 +62,7 @@ TEST(Format, FixtureOfVersion1ReadsForEver) {
 
 TEST(Format, SkinsOfVersion2ReadForEver) {
   const std::string text = file_text("tests/document/fixtures/v2_skin.hariko");
-  const Result<Document> read = read_document(text);
-  ASSERT_TRUE(read) << message_of(read);
+  const Result<Document> read = test::must(read_document(text));
   const Skin& skin = *read->objects[0]->skin()->skin;
   ASSERT_EQ(skin.sections.size(), 2U);
   EXPECT_FALSE(skin.sections[0].start_chosen);
@@ -85,11 +75,9 @@ TEST(Format, ClosedSectionsOfVersion1BeginWhereTheyWereDrawn) {
   std::string text = file_text("tests/document/fixtures/v2_skin.hariko");
   const std::string chosen = "            \"start_chosen\": true,\n";
   text.erase(text.find(chosen), chosen.size());
-  const auto found = read_document(text);
-  ASSERT_TRUE(found) << message_of(found);
+  const auto found = test::must(read_document(text));
   text.replace(text.find("\"version\": 2"), 12, "\"version\": 1");
-  const auto drawn = read_document(text);
-  ASSERT_TRUE(drawn) << message_of(drawn);
+  const auto drawn = test::must(read_document(text));
   for (const int k : {0, 1}) {
     EXPECT_FALSE(found->objects[0]->skin()->skin->sections[std::size_t(k)].start_chosen);
     EXPECT_TRUE(drawn->objects[0]->skin()->skin->sections[std::size_t(k)].start_chosen);
@@ -98,8 +86,7 @@ TEST(Format, ClosedSectionsOfVersion1BeginWhereTheyWereDrawn) {
 
 TEST(Format, FixtureOfVersion2ReadsForEver) {
   const std::string text = file_text("tests/document/fixtures/v2.hariko");
-  const Result<Document> read = read_document(text);
-  ASSERT_TRUE(read) << message_of(read);
+  const Result<Document> read = test::must(read_document(text));
   ASSERT_EQ(read->objects.size(), 2U);
   EXPECT_EQ(read->objects[0]->polyhedron()->frames, Frames::metric);
   EXPECT_TRUE(read->objects[0]->polyhedron()->preparation.split_concave);
@@ -110,27 +97,38 @@ TEST(Format, FixtureOfVersion2ReadsForEver) {
 
 TEST(Format, SolidsOfVersion2GetTheBall) {
   const std::string text = file_text("tests/document/fixtures/v2_solids.hariko");
-  const Result<Document> read = read_document(text);
-  ASSERT_TRUE(read) << message_of(read);
+  const Result<Document> read = test::must(read_document(text));
   ASSERT_EQ(read->objects.size(), 3U);
   const auto settings = [&](std::size_t i) { return read->objects[i]->solids()->input->settings; };
   EXPECT_EQ(settings(0).method, EnvelopeMethod::ball) << "auto, tight";
-  EXPECT_TRUE(settings(0).from_before);
+  EXPECT_TRUE(settings(0).converted.method);
   EXPECT_NEAR(settings(0).rounding, 0.045 * 3, 1e-12);
   EXPECT_NEAR(*settings(0).ball_radius, 3 * 0.045 * 3, 1e-12) << "tightness 1";
   EXPECT_EQ(settings(1).method, EnvelopeMethod::network) << "auto at tightness 0";
   EXPECT_EQ(settings(2).method, EnvelopeMethod::ball) << "a field, at tightness 0 the hull";
   EXPECT_FALSE(settings(2).ball_radius.has_value());
-  const Result<Document> again = read_document(write_document(*read));
-  ASSERT_TRUE(again) << message_of(again);
-  EXPECT_FALSE(again->objects[0]->solids()->input->settings.from_before) << "saved by this version";
+  const Result<Document> again = test::must(read_document(write_document(*read)));
+  EXPECT_FALSE(again->objects[0]->solids()->input->settings.converted.method) << "saved by this version";
   EXPECT_EQ(again->objects[0]->solids()->input->settings.ball_radius, settings(0).ball_radius);
+}
+
+TEST(Format, LostSettingsAreNoPartOfTheDocument) {
+  // An input that the document fuzzer found: the network is kept, and of its settings one means nothing any
+  // more.
+  const Result<Document> read = test::must(read_document(R"({
+    "format": "hariko", "version": 3, "unit": "mm", "next_object_id": 1,
+    "objects": [{"id": 0, "name": "Bar", "source": {"kind": "solids", "merge_deg": 0.35,
+      "primitives": [{"type": "cylinder", "radius": 0.5, "height": 2}]}}]})"));
+  const ConvertedSettings& converted = read->objects[0]->solids()->input->settings.converted;
+  EXPECT_EQ(converted.lost, "merge_deg");
+  const Result<Document> again = test::must(read_document(write_document(*read)));
+  EXPECT_EQ(again->objects[0]->solids()->input->settings.converted.lost, "") << "said once";
+  EXPECT_TRUE(*again == *read);
 }
 
 TEST(Format, FixtureOfVersion3ReadsForEver) {
   const std::string text = file_text("tests/document/fixtures/v3.hariko");
-  const Result<Document> read = read_document(text);
-  ASSERT_TRUE(read) << message_of(read);
+  const Result<Document> read = test::must(read_document(text));
   const PolyhedronSource& source = *read->objects[0]->polyhedron();
   EXPECT_TRUE(source.preparation.merge_coplanar);
   const KeptForm* form = source.shaping->form.find({4});
@@ -143,29 +141,26 @@ TEST(Format, FixtureOfVersion3ReadsForEver) {
 
 TEST(Format, SolidsOfVersion3LoseWhatMeansNothingAnyMore) {
   const std::string text = file_text("tests/document/fixtures/v3_solids.hariko");
-  const Result<Document> read = read_document(text);
-  ASSERT_TRUE(read) << message_of(read);
+  const Result<Document> read = test::must(read_document(text));
   ASSERT_EQ(read->objects.size(), 2U);
   const auto settings = [&](std::size_t i) { return read->objects[i]->solids()->input->settings; };
   EXPECT_EQ(settings(0).method, EnvelopeMethod::network);
-  EXPECT_EQ(settings(0).lost, "tightness, waist, offsets");
+  EXPECT_EQ(settings(0).converted.lost, "tightness, waist, offsets");
   EXPECT_EQ(settings(0).clearance, 0.125);
   EXPECT_EQ(settings(1).method, EnvelopeMethod::ball);
-  EXPECT_EQ(settings(1).lost, "") << "they meant nothing to the ball";
+  EXPECT_EQ(settings(1).converted.lost, "") << "they meant nothing to the ball";
   EXPECT_EQ(settings(1).ball_radius, 0.5);
   const std::string written = write_document(*read);
   for (const char* name :
        {"\"waist\"", "\"tightness\"", "\"offsets\"", "\"surface\": \"fair\"", "\"detail\""})
     EXPECT_EQ(written.find(name), std::string::npos) << name;
-  const Result<Document> again = read_document(written);
-  ASSERT_TRUE(again) << message_of(again);
-  EXPECT_EQ(again->objects[0]->solids()->input->settings.lost, "") << "said once";
+  const Result<Document> again = test::must(read_document(written));
+  EXPECT_EQ(again->objects[0]->solids()->input->settings.converted.lost, "") << "said once";
 }
 
 TEST(Format, FixtureOfVersion4ReadsForEver) {
   std::string text = file_text("tests/document/fixtures/v4.hariko");
-  const Result<Document> read = read_document(text);
-  ASSERT_TRUE(read) << message_of(read);
+  const Result<Document> read = test::must(read_document(text));
   const PolyhedronSource& source = *read->objects[0]->polyhedron();
   EXPECT_EQ(source.mode, Mode::g2);
   EXPECT_EQ(source.frames, Frames::metric);
@@ -177,8 +172,7 @@ TEST(Format, FixtureOfVersion4ReadsForEver) {
 
 TEST(Format, FixtureOfVersion5ReadsForEver) {
   const std::string text = file_text("tests/document/fixtures/v5.hariko");
-  const Result<Document> read = read_document(text);
-  ASSERT_TRUE(read) << message_of(read);
+  const Result<Document> read = test::must(read_document(text));
   const Shaping& shaping = *read->objects[0]->polyhedron()->shaping;
   EXPECT_EQ(shaping.kept_area.get_or(FaceId{0}, 1), 1.5);
   EXPECT_EQ(shaping.form.find({4})->edges[1], (KeptForm::Edge{{5}, 0.25, -0.5, {0.125, 0, -0.0625}}))
@@ -188,8 +182,7 @@ TEST(Format, FixtureOfVersion5ReadsForEver) {
 
 TEST(Format, FixtureOfVersion6ReadsForEver) {
   const std::string text = file_text("tests/document/fixtures/v6.hariko");
-  const Result<Document> read = read_document(text);
-  ASSERT_TRUE(read) << message_of(read);
+  const Result<Document> read = test::must(read_document(text));
   ASSERT_EQ(read->objects.size(), 3U);
   EXPECT_EQ(read->objects[0]->polyhedron()->shaping->form.find({4})->edges[0].lean, 0.03125);
   EXPECT_TRUE(read->objects[1]->solids()->input->settings.on_faces);
@@ -201,8 +194,7 @@ TEST(Format, FixtureOfVersion6ReadsForEver) {
 
 TEST(Format, FixtureOfVersion7ReadsForEver) {
   const std::string text = file_text("tests/document/fixtures/v7.hariko");
-  const Result<Document> read = read_document(text);
-  ASSERT_TRUE(read) << message_of(read);
+  const Result<Document> read = test::must(read_document(text));
   const Dimensions& dimensions = *read->dimensions;
   ASSERT_EQ(dimensions.size(), 6U);
   EXPECT_EQ(dimensions[0].anchors[1], Anchor(VertexAnchor{ObjectId{1}, VertexId{5}}));
@@ -222,8 +214,7 @@ TEST(Format, FixtureOfVersion7ReadsForEver) {
 
 TEST(Format, FixtureOfVersion8ReadsForEver) {
   const std::string text = file_text("tests/document/fixtures/v8.hariko");
-  const Result<Document> read = read_document(text);
-  ASSERT_TRUE(read) << message_of(read);
+  const Result<Document> read = test::must(read_document(text));
   ASSERT_EQ(read->groups->size(), 2U);
   const Group& inner = (*read->groups)[1];
   EXPECT_EQ(inner.name, "Tools");
@@ -241,8 +232,7 @@ TEST(Format, FixtureOfVersion8ReadsForEver) {
 
 TEST(Format, FixtureOfVersion9ReadsForEver) {
   const std::string text = file_text("tests/document/fixtures/v9.hariko");
-  const Result<Document> read = read_document(text);
-  ASSERT_TRUE(read) << message_of(read);
+  const Result<Document> read = test::must(read_document(text));
   const LiveCopies& copies = *read->objects[0]->copies;
   ASSERT_EQ(copies.size(), 3U);
   EXPECT_EQ(copies[0], CopyArray(RowOfCopies{3, Vector3(4, 0, 0.5)}));
@@ -252,17 +242,45 @@ TEST(Format, FixtureOfVersion9ReadsForEver) {
   moved.translation = {0, 0, 5};
   EXPECT_EQ(copies[2], CopyArray(ListOfCopies{{turned, moved}}));
   EXPECT_EQ(place_count(*read->objects[0]), 36U);
+  EXPECT_EQ(write_document(*read), as_written_now(text, 9));
+}
+
+TEST(Format, OutlinesOfVersion9InAModeThatIsGoneBecomeRound) {
+  const std::string text = file_text("tests/document/fixtures/v9_outline.hariko");
+  const Result<Document> read = test::must(read_document(text));
+  const OutlineSettings& settings = read->objects[0]->outline()->settings;
+  EXPECT_EQ(settings.mode, GaussMode::umbilic);
+  EXPECT_TRUE(settings.mode_replaced);
+  EXPECT_EQ(settings.radius, 0.75);
+  std::string now = as_written_now(text, 9);
+  now.replace(now.find("minkowski"), 9, "umbilic");
+  EXPECT_EQ(write_document(*read), now);
+  const Result<Document> again = test::must(read_document(now));
+  EXPECT_EQ(again->objects[0]->outline()->settings.mode, GaussMode::umbilic);
+  EXPECT_FALSE(again->objects[0]->outline()->settings.mode_replaced) << "said once";
+  EXPECT_TRUE(*again == *read) << "saving compares the two";
+  now.replace(now.find("umbilic"), 7, "convex");
+  EXPECT_EQ(std::string(read_document(now).error().code.name), "E_SCHEMA");
+}
+
+TEST(Format, FixtureOfVersion10ReadsForEver) {
+  const std::string text = file_text("tests/document/fixtures/v10.hariko");
+  const Result<Document> read = test::must(read_document(text));
+  const LiveCopies& copies = *read->objects[0]->copies;
+  ASSERT_EQ(copies.size(), 2U);
+  EXPECT_EQ(copies[0], CopyArray(RowOfCopies{2, Vector3(4, 0, 0.5)}));
+  EXPECT_EQ(copies[1], CopyArray(MirrorOfCopies{Vector3(0, 10, 0), Vector3(0, 2, 0)}));
+  EXPECT_EQ(place_count(*read->objects[0]), 4U);
   EXPECT_EQ(write_document(*read), text);
 }
 
 TEST(Format, SolidsOfVersion5KeepTheirShape) {
   const std::string text = file_text("tests/document/fixtures/v5_solids.hariko");
-  const Result<Document> read = read_document(text);
-  ASSERT_TRUE(read) << message_of(read);
+  const Result<Document> read = test::must(read_document(text));
   const EnvelopeInput& input = *read->objects[0]->solids()->input;
   EXPECT_FALSE(input.settings.on_faces) << "the surface contains them";
   EXPECT_FALSE(input.settings.finer_patches);
-  EXPECT_FALSE(input.settings.from_before);
+  EXPECT_FALSE(input.settings.converted.method);
   for (const Solid& solid : input.solids) EXPECT_FALSE(solid.bridge.has_value());
   EXPECT_EQ(input.solids[0].roundness, 0.25);
   const std::string written = write_document(*read);
@@ -271,4 +289,4 @@ TEST(Format, SolidsOfVersion5KeepTheirShape) {
 }
 
 }  // namespace
-}  // namespace hariko
+}  // namespace hariko::test

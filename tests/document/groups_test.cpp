@@ -1,20 +1,13 @@
 // Groups: their edits on random documents, what hides and locks objects, and their text in files.
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
 #include <set>
 
-#include "core/document/edits/edits.hpp"
 #include "core/document/format/format.hpp"
 #include "tests/document/random_documents.hpp"
 #include "tests/support/random.hpp"
 
-namespace hariko {
+namespace hariko::test {
 namespace {
-
-using test::cube_document;
-using test::cube_id;
 
 Document row_of_cubes(int count) {
   return duplicate_objects(cube_document(), std::vector{cube_id}, static_cast<std::size_t>(count - 1))
@@ -50,8 +43,7 @@ void expect_sound(const Document& document) {
   EXPECT_EQ(tree.objects_in({}).size(), document.objects.size());
   EXPECT_LE(tree.depth(), Group::max_depth);
   expect_switches(document);
-  const auto read = read_document(write_document(document));
-  ASSERT_TRUE(read) << to_string(read.error());
+  const auto read = test::must(read_document(write_document(document)));
   EXPECT_TRUE(*read == document);
 }
 
@@ -131,11 +123,9 @@ TEST(Groups, ungrouping_right_after_grouping_neighbours_gives_the_old_document) 
     const Document document = row_of_cubes(6);
     const auto ids = ids_of(document);
     const std::size_t first = rng() % 5, count = 1 + rng() % (6 - first);
-    const auto made = make_group(document, std::span(ids).subspan(first, count), "Group");
-    ASSERT_TRUE(made);
+    const auto made = test::must(make_group(document, std::span(ids).subspan(first, count), "Group"));
     EXPECT_FALSE(made->document == document);
-    const auto back = ungroup(made->document, std::vector{made->id});
-    ASSERT_TRUE(back);
+    const auto back = test::must(ungroup(made->document, std::vector{made->id}));
     EXPECT_TRUE(*back == document);
   });
 }
@@ -143,19 +133,16 @@ TEST(Groups, ungrouping_right_after_grouping_neighbours_gives_the_old_document) 
 TEST(Groups, a_selection_becomes_a_group_where_its_first_object_stands) {
   const Document document = row_of_cubes(5);
   const auto ids = ids_of(document);
-  const auto made = make_group(document, std::vector{ids[3], ids[1]}, "Wheels");
-  ASSERT_TRUE(made);
+  const auto made = test::must(make_group(document, std::vector{ids[3], ids[1]}, "Wheels"));
   EXPECT_EQ(ids_of(made->document), (std::vector{ids[0], ids[1], ids[3], ids[2], ids[4]}));
   EXPECT_EQ(made->document.find(ids[1])->group, made->id);
   EXPECT_EQ(made->document.find(ids[2])->group, GroupId{});
   // A group all of whose objects are chosen lies in the new one as it is.
-  const auto outer = make_group(made->document, std::vector{ids[1], ids[3], ids[2]}, "Car");
-  ASSERT_TRUE(outer);
+  const auto outer = test::must(make_group(made->document, std::vector{ids[1], ids[3], ids[2]}, "Car"));
   EXPECT_EQ(find_group(*outer->document.groups, made->id)->parent, outer->id);
   EXPECT_EQ(outer->document.find(ids[2])->group, outer->id);
   // Some objects of a group go into a group within it.
-  const auto inner = make_group(outer->document, std::vector{ids[1]}, "Front");
-  ASSERT_TRUE(inner);
+  const auto inner = test::must(make_group(outer->document, std::vector{ids[1]}, "Front"));
   EXPECT_EQ(find_group(*inner->document.groups, inner->id)->parent, made->id);
 }
 
@@ -227,8 +214,7 @@ TEST(Groups, equality_notices_every_field_and_files_keep_it) {
     other.groups = groups;
     other = with_group_switches(other);
     EXPECT_FALSE(other == outer.document);
-    const auto again = read_document(write_document(other));
-    ASSERT_TRUE(again) << to_string(again.error());
+    const auto again = test::must(read_document(write_document(other)));
     EXPECT_TRUE(*again == other);
   };
   changed([](Group& group) { group.name = "Other"; });
@@ -257,4 +243,4 @@ TEST(Groups, of_broken_files_are_refused) {
 }
 
 }  // namespace
-}  // namespace hariko
+}  // namespace hariko::test

@@ -45,6 +45,16 @@ TEST(History, UndoAndRedoGiveEqualDocuments) {
   EXPECT_TRUE(history.current() == renamed(start, "C"));
 }
 
+TEST(History, LabelsAreFilledInEnglishAndKeptAsPhrases) {
+  const Document start = cube_document();
+  History history(start);
+  ASSERT_TRUE(history.push(renamed(start, "A"), Phrase("Import {0}", {"a.obj"})));
+  EXPECT_EQ(history.undo_label(), "Import a.obj");
+  ASSERT_EQ(history.phrases().size(), 1U);
+  EXPECT_EQ(history.phrases()[0].pattern(), "Import {0}");
+  EXPECT_EQ(history.phrases()[0].arguments(), std::vector<std::string>{"a.obj"});
+}
+
 TEST(History, EqualDocumentsMakeNoStep) {
   History history(cube_document());
   EXPECT_FALSE(history.push(cube_document(), "Nothing"));

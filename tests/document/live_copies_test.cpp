@@ -2,16 +2,15 @@
 
 #include "core/document/live_copies.hpp"
 
-#include <gtest/gtest.h>
-
 #include <cmath>
 
 #include "core/document/convert_unit.hpp"
 #include "core/document/edits/edits.hpp"
 #include "core/document/format/format.hpp"
 #include "core/document/object_box.hpp"
+#include "core/modeling/objects/arrange.hpp"
 #include "core/modeling/objects/transformation.hpp"
-#include "tests/support/places.hpp"
+#include "core/polyhedron/volume.hpp"
 #include "tests/support/random.hpp"
 #include "tests/support/random_polyhedra.hpp"
 
@@ -38,7 +37,7 @@ std::vector<CopyArray> some_arrays(std::mt19937_64& rng) {
   return {RowOfCopies{test::uniform_int(rng, 2, 5), test::random_vector(rng, 5)},
           RingOfCopies{test::uniform_int(rng, 2, 5), test::random_vector(rng, 5),
                        test::random_vector(rng) + Vector3(0, 0, 2), test::uniform(rng, 10, 300)},
-          list};
+          list, MirrorOfCopies{test::random_vector(rng, 5), test::random_vector(rng) + Vector3(0, 0, 2)}};
 }
 
 Document document_with_copies(const Similarity& place, LiveCopies copies) {
@@ -76,9 +75,65 @@ TEST(LiveCopies, StandInRowsRingsAndListsOfTheObjectsSpace) {
   EXPECT_LT((ring[2].apply({0, 0, 5}) - Vector3(2, 0, 5)).norm(), 1e-12);
   const auto arc = places(RingOfCopies{3, Vector3::Zero(), Vector3::UnitZ(), -90});
   EXPECT_LT((arc[2].apply({1, 0, 0}) - Vector3(0, -1, 0)).norm(), 1e-12) << "both ends of an arc";
-  Similarity there;
-  there.translation = {7, 8, 9};
+  Similarity there{.translation = {7, 8, 9}};
   EXPECT_EQ(places(ListOfCopies{{there}})[1], there);
+}
+
+TEST(LiveCopies, MayBeTheMirrorImageInAPlane) {
+  test::for_random(816, 20, [](std::mt19937_64& rng) {
+    const Vector3 point = test::random_vector(rng, 5), across = test::random_vector(rng) + Vector3(0, 0, 2);
+    const Vector3 normal = across.normalized();
+    const Document document = document_with_copies({}, {MirrorOfCopies{point, across}});
+    const auto places = places_of(*document.objects[0]);
+    ASSERT_EQ(places.size(), 2U);
+    EXPECT_FALSE(places[0].mirrors());
+    EXPECT_TRUE(places[1].mirrors());
+    EXPECT_EQ(places[1].length_scale(), 1);
+    for (int i = 0; i < 5; ++i) {
+      const Vector3 p = test::random_vector(rng, 5);
+      const Vector3 image = p - 2 * normal.dot(p - point) * normal;
+      EXPECT_LT((places[1].apply(p) - image).norm(), 1e-12);
+      EXPECT_LT((places[1].inverse().apply(image) - p).norm(), 1e-12);
+      // Outward stays outward: the normal of a facet is reflected with it.
+      const Vector3 outward = p.normalized();
+      EXPECT_LT((places[1].apply_to_normal(outward) - (outward - 2 * normal.dot(outward) * normal)).norm(),
+                1e-12);
+    }
+  });
+}
+
+TEST(LiveCopies, OfAMirroredRowAreTheRowAndItsImage) {
+  const Document document =
+      document_with_copies({}, {RowOfCopies{3, {5, 0, 0}}, MirrorOfCopies{{0, 10, 0}, {0, 1, 0}}});
+  const auto places = places_of(*document.objects[0]);
+  ASSERT_EQ(places.size(), 6U);
+  for (std::size_t k = 0; k < 6; ++k) {
+    EXPECT_EQ(places[k].mirrors(), k >= 3);
+    EXPECT_LT((places[k].translation - Vector3(5.0 * double(k % 3), k < 3 ? 0 : 20, 0)).norm(), 1e-12);
+  }
+  // The image of an image is not mirrored.
+  const Document twice =
+      document_with_copies({}, {MirrorOfCopies{{0, 0, 0}, {1, 0, 0}}, MirrorOfCopies{{0, 0, 0}, {0, 1, 0}}});
+  const auto four = places_of(*twice.objects[0]);
+  ASSERT_EQ(four.size(), 4U);
+  EXPECT_TRUE(four[1].mirrors() && four[2].mirrors() && !four[3].mirrors());
+  EXPECT_LT((four[3].apply({1, 2, 3}) - Vector3(-1, -2, 3)).norm(), 1e-12) << "a half turn";
+}
+
+/// A source that is reflected first stands at a place that does not mirror.
+TEST(LiveCopies, OfMirrorsAreReflectedSourcesElsewhere) {
+  test::for_random(817, 20, [](std::mt19937_64& rng) {
+    const Similarity place = composed(any_place_of_copies(rng), reflection_in({1, 2, 3}, Vector3::UnitY()));
+    ASSERT_TRUE(place.mirrors());
+    for (int axis = 0; axis < 3; ++axis) {
+      const Similarity other = place_of_reflected(place, axis);
+      EXPECT_FALSE(other.mirrors());
+      const Vector3 p = test::random_vector(rng, 5);
+      Vector3 reflected = p;
+      reflected[axis] = -reflected[axis];
+      EXPECT_LT((other.apply(reflected) - place.apply(p)).norm(), 1e-10);
+    }
+  });
 }
 
 TEST(LiveCopies, OfARowAreAGrid) {
@@ -98,15 +153,14 @@ TEST(LiveCopies, AreGivenInTheDocumentsSpace) {
     for (const CopyArray& array : some_arrays(rng)) {
       const Document plain = document_with_copies(place, {});
       const ObjectId id = plain.objects[0]->id;
-      const auto made = add_live_copies(plain, std::span(&id, 1), array);
-      ASSERT_TRUE(made.ok()) << to_string(made.error());
+      const auto made = test::must(add_live_copies(plain, std::span(&id, 1), array));
       const auto motions = places_of(*document_with_copies({}, {array}).objects[0]);
       const auto places = places_of(*made->objects[0]);
       ASSERT_EQ(places.size(), motions.size());
       EXPECT_EQ(places[0], place);
       for (std::size_t k = 0; k < places.size(); ++k) {
         EXPECT_LT(far_apart(places[k], composed(motions[k], place)), 1e-10);
-        EXPECT_DOUBLE_EQ(places[k].scale, place.scale);
+        EXPECT_DOUBLE_EQ(places[k].length_scale(), place.scale);
       }
     }
   });
@@ -123,8 +177,7 @@ TEST(LiveCopies, GoAlongWithTheirObject) {
       change.degrees = test::uniform(rng, -170, 170);
       change.factors = Vector3::Constant(test::uniform(rng, 0.3, 3));
       const Vector3 pivot = test::random_vector(rng, 5);
-      const auto after = transform_object(before, before.objects[0]->id, change, pivot);
-      ASSERT_TRUE(after.ok()) << to_string(after.error());
+      const auto after = test::must(transform_object(before, before.objects[0]->id, change, pivot));
       const auto from = places_of(*before.objects[0]), to = places_of(*after->objects[0]);
       ASSERT_EQ(from.size(), to.size());
       for (std::size_t k = 0; k < from.size(); ++k)
@@ -164,8 +217,7 @@ TEST(LiveCopies, OfMirroredAndStretchedObjectsStandWhereTheirImagesAre) {
 
 TEST(LiveCopies, FollowTheUnit) {
   const Document before = document_with_copies({}, {RowOfCopies{3, {20, 0, 0}}, RingOfCopies{2, {0, 10, 0}}});
-  const auto after = convert_unit(before, Unit::centimetre);
-  ASSERT_TRUE(after.ok()) << to_string(after.error());
+  const auto after = test::must(convert_unit(before, Unit::centimetre));
   const auto from = places_of(*before.objects[0]), to = places_of(*after->objects[0]);
   for (std::size_t k = 0; k < from.size(); ++k)
     EXPECT_LT((to[k].translation - from[k].translation / 10).norm(), 1e-12);
@@ -179,6 +231,9 @@ TEST(LiveCopies, AreInTheBox) {
   EXPECT_EQ(all.max(), Vector3(own.max() + Vector3(40, 0, 0)));
   const Document ring = document_with_copies({}, {RingOfCopies{2, {10, 0, 0}}});
   EXPECT_NEAR(world_box(*ring.objects[0]).max().x(), 20 - own.min().x(), 1e-12) << "turned to the other side";
+  const Document mirror = document_with_copies({}, {MirrorOfCopies{{10, 0, 0}, {2, 0, 0}}});
+  EXPECT_NEAR(world_box(*mirror.objects[0]).max().x(), 20 - own.min().x(), 1e-12) << "behind the plane";
+  EXPECT_NEAR(world_box(*mirror.objects[0]).max().y(), own.max().y(), 1e-12);
 }
 
 TEST(LiveCopies, ThatCannotBeAreRefused) {
@@ -197,11 +252,11 @@ TEST(LiveCopies, ThatCannotBeAreRefused) {
                                       {RingOfCopies{3, Vector3::Zero(), {0, 0, 1}, 361}},
                                       {ListOfCopies{}},
                                       {ListOfCopies{{scaled}}},
-                                      {ListOfCopies{{far}}}};
+                                      {ListOfCopies{{far}}},
+                                      {MirrorOfCopies{Vector3::Zero(), Vector3::Zero()}},
+                                      {MirrorOfCopies{{0, INFINITY, 0}, {0, 0, 1}}}};
   for (const LiveCopies& copies : wrong) {
-    const auto refused = set_copies(document, id, copies);
-    ASSERT_FALSE(refused.ok());
-    EXPECT_EQ(refused.error().code, e_copies_invalid);
+    test::must_fail(set_copies(document, id, copies), e_copies_invalid);
   }
   ASSERT_TRUE(set_copies(document, id, {RowOfCopies{100}, RowOfCopies{100}}).ok());
   const auto locked = set_locked(document, id, true);
@@ -211,14 +266,40 @@ TEST(LiveCopies, ThatCannotBeAreRefused) {
   EXPECT_EQ(set_copies(unknown, unknown.objects[0]->id, {RowOfCopies{}}).error().code, e_no_live_copies);
 }
 
+/// The source of an image is reflected, so that the object is as it was seen, and looks outward.
+TEST(LiveCopies, OfMirrorsBecomeReflectedObjects) {
+  test::for_random(818, 10, [](std::mt19937_64& rng) {
+    const CopyArray mirror{MirrorOfCopies{test::random_vector(rng, 5), test::random_vector(rng)}};
+    const Document before = document_with_copies(any_place_of_copies(rng), {mirror});
+    const Object& own = *before.objects[0];
+    const auto made = test::must(copies_to_objects(before, std::span(&own.id, 1)));
+    ASSERT_EQ(made->document.objects.size(), 2U);
+    const Object& image = *made->document.objects[1];
+    EXPECT_FALSE(image.transform.mirrors());
+    EXPECT_TRUE(set_transform(made->document, image.id, image.transform).ok());
+    const Polyhedron &from = own.polyhedron()->polyhedron, &to = image.polyhedron()->polyhedron;
+    const Similarity place = places_of(own)[1];
+    for (Index v = 0; v < from.vertex_count(); ++v) {
+      const Vector3 there = to.position(to.find(from.vertex_id(v)));
+      EXPECT_LT((image.transform.apply(image.cage_origin() + there) -
+                 place.apply(own.cage_origin() + from.position(v)))
+                    .norm(),
+                1e-9);
+    }
+    const auto before_it = closed_component_volumes(from.topology(), from.positions()),
+               volumes = closed_component_volumes(to.topology(), to.positions());
+    ASSERT_EQ(volumes.size(), 1U);
+    EXPECT_NEAR(volumes[0], before_it[0], 1e-9) << "the faces look outward";
+  });
+}
+
 TEST(LiveCopies, BecomeObjectsAtTheSamePlaces) {
   test::for_random(814, 10, [](std::mt19937_64& rng) {
     const auto arrays = some_arrays(rng);
     const Document before = document_with_copies(any_place_of_copies(rng), {arrays[0], arrays[1]});
     const ObjectId id = before.objects[0]->id;
     const auto places = places_of(*before.objects[0]);
-    const auto made = copies_to_objects(before, std::span(&id, 1));
-    ASSERT_TRUE(made.ok()) << to_string(made.error());
+    const auto made = test::must(copies_to_objects(before, std::span(&id, 1)));
     ASSERT_EQ(made->document.objects.size(), places.size());
     EXPECT_EQ(made->ids.size(), places.size() - 1);
     for (std::size_t k = 0; k < places.size(); ++k) {
@@ -236,8 +317,7 @@ TEST(LiveCopies, AreKeptInFiles) {
   test::for_random(815, 20, [](std::mt19937_64& rng) {
     const Document document = document_with_copies(any_place_of_copies(rng), some_arrays(rng));
     const std::string text = write_document(document);
-    const auto read = read_document(text);
-    ASSERT_TRUE(read.ok()) << to_string(read.error());
+    const auto read = test::must(read_document(text));
     EXPECT_EQ(*read, document);
     EXPECT_EQ(write_document(*read), text);
   });
@@ -263,7 +343,8 @@ TEST(LiveCopies, ThatFilesDescribeWronglyAreRefused) {
        {"{\"kind\": \"row\", \"count\": 1, \"step\": [4, 0, 0]}", "{\"kind\": \"row\", \"count\": 3}",
         "{\"kind\": \"row\", \"count\": 3, \"step\": [0, 0, 0]}",
         "{\"kind\": \"row\", \"count\": 3, \"step\": [4, 0, 0], \"turn\": 1}", "{\"kind\": \"heap\"}",
-        "{\"kind\": \"list\", \"places\": []}", "7"})
+        "{\"kind\": \"list\", \"places\": []}", "{\"kind\": \"mirror\", \"point\": [0, 0, 0]}",
+        "{\"kind\": \"mirror\", \"point\": [0, 0, 0], \"normal\": [0, 0, 0]}", "7"})
     EXPECT_NE(with(wrong).find("copies"), std::string::npos) << wrong << ": " << with(wrong);
 }
 

@@ -2,8 +2,6 @@
 
 #include "core/document/making.hpp"
 
-#include <gtest/gtest.h>
-
 #include <functional>
 #include <limits>
 
@@ -33,8 +31,7 @@ TEST(Making, EveryFieldIsNoticedAndComesBack) {
   for (const auto& change : changes) {
     const Document other = made_so(change);
     EXPECT_FALSE(other == plain);
-    const auto again = read_document(write_document(other));
-    ASSERT_TRUE(again) << to_string(again.error());
+    const auto again = test::must(read_document(write_document(other)));
     EXPECT_TRUE(*again == other) << write_document(other);
   }
 }
@@ -47,8 +44,7 @@ TEST(Making, MapsOfMakingComeBackWithTheirRanges) {
     display.map = map;
     range_of(display, map) = {RangeMode::manual, 0.5, 7};
     document = set_display(document, test::cube_id, display).value();
-    const auto again = read_document(write_document(document));
-    ASSERT_TRUE(again) << to_string(again.error());
+    const auto again = test::must(read_document(write_document(document)));
     EXPECT_EQ(again->objects[0]->display.map, map);
     EXPECT_EQ(range_of(again->objects[0]->display, map), (MapRange{RangeMode::manual, 0.5, 7}));
   }
@@ -58,8 +54,7 @@ TEST(Making, WhatVersion7WroteReadsForEver) {
   const std::string text =
       "{\"format\": \"hariko\", \"version\": 7, \"objects\": [], \"making\": {\"pull\": [0, -1, 0.5], "
       "\"draft\": 1.5, \"radius\": 0.75, \"thickness\": 1.25, \"reference\": 3}}";
-  const auto read = read_document(text);
-  ASSERT_TRUE(read) << to_string(read.error());
+  const auto read = test::must(read_document(text));
   EXPECT_EQ(read->making, (MakingSettings{{0, -1, 0.5}, 1.5, 0.75, 1.25, ObjectId{3}}));
 }
 
@@ -77,8 +72,7 @@ TEST(Making, WhatMakesNoSenseIsRefusedWithItsPlace) {
   MakingSettings making;
   making.draft = std::numeric_limits<double>::quiet_NaN();
   const auto refused = set_making(document, making);
-  ASSERT_FALSE(refused);
-  EXPECT_EQ(refused.error().code, e_making_invalid);
+  test::must_fail(refused, e_making_invalid);
   EXPECT_FALSE(refused.error().remedy.empty());
 }
 

@@ -1,7 +1,5 @@
 // Documents that something went wrong with load or are refused, and what loads can be saved.
 
-#include <gtest/gtest.h>
-
 #include "core/document/format/format.hpp"
 #include "tests/support/places.hpp"
 #include "tests/support/random.hpp"
@@ -30,8 +28,7 @@ TEST(DocumentMutations, LoadOrAreRefused) {
       EXPECT_FALSE(document.error().text.empty());
       return;
     }
-    const auto again = read_document(write_document(*document));
-    ASSERT_TRUE(again.ok()) << to_string(again.error());
+    const auto again = test::must(read_document(write_document(*document)));
     EXPECT_TRUE(*again == *document);
   });
 }

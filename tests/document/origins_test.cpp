@@ -1,7 +1,5 @@
 // Solids, skins and outlines far from zero: their place carries the origin, positions keep every digit.
 
-#include <gtest/gtest.h>
-
 #include <cmath>
 #include <string>
 
@@ -13,6 +11,7 @@
 #include "core/document/object_box.hpp"
 #include "core/modeling/surfacing/object_surfacer.hpp"
 #include "core/skinning/columns/simple_skin.hpp"
+#include "tests/support/must.hpp"
 #include "tests/support/places.hpp"
 
 namespace hariko {
@@ -23,8 +22,7 @@ std::string folded_fixture() {
 }
 
 TEST(FoldedOrigin, FixtureOfVersion8ReadsForEver) {
-  const auto read = read_document(folded_fixture());
-  ASSERT_TRUE(read.ok()) << to_string(read.error());
+  const auto read = test::must(read_document(folded_fixture()));
   ASSERT_EQ(read->objects.size(), 4U);
   EXPECT_EQ(read->objects[0]->transform.translation, Vector3(2000000001, -3999998, 4));
   EXPECT_EQ(read->objects[0]->transform.scale, 2);
@@ -42,8 +40,7 @@ TEST(FoldedOrigin, FixtureOfVersion8ReadsForEver) {
   }
   const std::string text = write_document(*read);
   EXPECT_EQ(text.find("\"origin\""), std::string::npos);
-  const auto again = read_document(text);
-  ASSERT_TRUE(again.ok());
+  const auto again = test::must(read_document(text));
   EXPECT_EQ(*again, *read);
   EXPECT_EQ(write_document(*again), text);
 }
@@ -51,8 +48,7 @@ TEST(FoldedOrigin, FixtureOfVersion8ReadsForEver) {
 TEST(FoldedOrigin, OlderFilesKeepAnUnknownMemberOfThatName) {
   std::string text = folded_fixture();
   text.replace(text.find("\"version\": 8"), 12, "\"version\": 7");
-  const auto read = read_document(text);
-  ASSERT_TRUE(read.ok()) << to_string(read.error());
+  const auto read = test::must(read_document(text));
   EXPECT_EQ(read->objects[1]->transform, Similarity());
   EXPECT_EQ(*read->objects[1]->skin()->kept, (KeptMembers{{"origin", "[500000, 4000000, 100]"}}));
 }
@@ -174,8 +170,7 @@ TEST(FoldedOrigin, SurfacesFarAwayAreThoseNearZero) {
       Source source = moved_source(near, by);
       const Vector3 origin = take_far_origin(source);
       const Document far = add_object({}, "far", source, with_origin({}, origin)).value().document;
-      const auto read = read_document(write_document(far));
-      ASSERT_TRUE(read.ok()) << to_string(read.error());
+      const auto read = test::must(read_document(write_document(far)));
       EXPECT_EQ(*read, far);
       const Document here = add_object({}, "near", near).value().document;
       const auto a = object_surface(here, *here.objects[0]);

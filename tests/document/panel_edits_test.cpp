@@ -1,7 +1,5 @@
 // Edits that the panels are made of: order of objects, many tensions at once, units, angles.
 
-#include <gtest/gtest.h>
-
 #include "core/document/angles.hpp"
 #include "core/document/convert_unit.hpp"
 #include "core/document/edits/edits.hpp"
@@ -87,12 +85,12 @@ TEST(SetTensions, refuses_one_bad_value_of_many) {
 
 TEST(ConvertUnit, keeps_every_size) {
   Document document = cube_document();
-  Similarity place;
-  place.translation = {10, 20, 30};
-  place.scale = 2;
+  Similarity place{.scale = 2, .translation = {10, 20, 30}};
   document = set_transform(document, cube_id, place).value();
-  document = set_pin(document, cube_id, VertexId{0}, {Pin::Kind::tangents, {{1, 0, 0}, {0, 2, 0}}}).value();
   PolyhedronSource mirrored = polyhedron_of(document);
+  Shaping shaping = *mirrored.shaping;
+  shaping.pin.set(VertexId{0}, {Pin::Kind::tangents, {{1, 0, 0}, {0, 2, 0}}});
+  mirrored.shaping = std::move(shaping);
   mirrored.mirror = Mirror{Axis::x, 0.5};
   document = set_source(document, cube_id, mirrored).value();
   document = set_locked(document, cube_id, true).value();

@@ -1,8 +1,6 @@
 // Reference pictures in the document: what comes back from files, what is refused, where files are looked
 // for, and edits.
 
-#include <gtest/gtest.h>
-
 #include "core/document/convert_unit.hpp"
 #include "core/document/edits/edits.hpp"
 #include "core/document/file.hpp"
@@ -42,8 +40,7 @@ TEST(Pictures, EveryFieldComesBackFromText) {
   picture.bytes = std::string("\x89PNG\0\xff", 6);
   picture.look = {0.25, PictureLayer::front, PictureSide::left};
   const Document document = with_picture(picture).document;
-  const auto again = read_document(write_document(document));
-  ASSERT_TRUE(again) << to_string(again.error());
+  const auto again = test::must(read_document(write_document(document)));
   EXPECT_TRUE(*again == document);
   EXPECT_EQ(picture_of(*again), picture);
   EXPECT_EQ(write_document(*again), write_document(document));
@@ -143,8 +140,7 @@ TEST(Pictures, ADocumentHasRoomForAHundredMebibytes) {
   SharedMemory memory;
   memory.add(*second);
   EXPECT_LT(memory.bytes(), max_packed_pictures / 2 + 100'000);
-  const auto again = read_document(write_document(*second));
-  ASSERT_TRUE(again) << to_string(again.error());
+  const auto again = test::must(read_document(write_document(*second)));
   EXPECT_TRUE(*again == *second);
 }
 
@@ -162,8 +158,7 @@ TEST(Pictures, TwoPointsGetTheirLength) {
         own_b(test::uniform(rng, -120, 120), test::uniform(rng, -90, 90), 0);
     const double length = test::log_uniform(rng, 1e-2, 1e4);
     const auto scaled =
-        scale_picture(added.document, added.id, place.apply(own_a), place.apply(own_b), length);
-    ASSERT_TRUE(scaled) << to_string(scaled.error());
+        test::must(scale_picture(added.document, added.id, place.apply(own_a), place.apply(own_b), length));
     const Similarity& now = scaled->objects[0]->transform;
     EXPECT_NEAR((now.apply(own_b) - now.apply(own_a)).norm(), length, 1e-9 * length);
     const double size = place.scale * 240 + place.translation.norm() + length;
@@ -208,9 +203,7 @@ TEST(Pictures, FacingASideKeepsTheTurnOfWhatFacesIt) {
 }
 
 TEST(Pictures, AnotherUnitKeepsTheirSize) {
-  Similarity place;
-  place.scale = 2;
-  place.translation = {1, 2, 3};
+  Similarity place{.scale = 2, .translation = {1, 2, 3}};
   const Added added = with_picture(photograph(), place);
   const auto in_inches = convert_unit(added.document, Unit::inch).value();
   const auto before = world_box(*added.document.objects[0]), after = world_box(*in_inches.objects[0]);

@@ -187,7 +187,7 @@ inline void any_lines(std::mt19937_64& rng, DisplaySettings& display) {
   }
 }
 
-/// An array or two.
+/// An array or more.
 inline LiveCopies any_copies(std::mt19937_64& rng) {
   LiveCopies out{RowOfCopies{uniform_int(rng, 2, 9), random_vector(rng, 9) + Vector3(20, 0, 0)}};
   if (chance(rng, 0.5))
@@ -198,6 +198,8 @@ inline LiveCopies any_copies(std::mt19937_64& rng) {
     for (Similarity& place : list.places) place.translation = random_vector(rng, 9);
     out.push_back(std::move(list));
   }
+  if (chance(rng, 0.3))
+    out.push_back(MirrorOfCopies{random_vector(rng, 9), random_vector(rng) + Vector3(0, 0, 2)});
   return out;
 }
 

@@ -173,7 +173,7 @@ inline Outline any_outline(std::mt19937_64& rng) {
 
 inline OutlineSettings any_outline_settings(std::mt19937_64& rng) {
   OutlineSettings settings;
-  settings.mode = static_cast<GaussMode>(uniform_int(rng, 0, 4));
+  settings.mode = static_cast<GaussMode>(uniform_int(rng, 0, 3));
   settings.sign = static_cast<CurvatureSign>(uniform_int(rng, 0, 1));
   settings.radius = log_uniform(rng, 0.02, 50);
   settings.most_points = static_cast<Index>(uniform_int(rng, 0, 20000));

@@ -2,8 +2,6 @@
 
 #include "core/document/history/recovery.hpp"
 
-#include <gtest/gtest.h>
-
 #include "tests/document/random_documents.hpp"
 #include "tests/support/failing_layer.hpp"
 #include "tests/support/temporary_folder.hpp"
@@ -37,8 +35,7 @@ TEST(Recovery, GivesDocumentAndNoteBack) {
       if (test::chance(rng, 0.3)) note.original.clear();
       if (test::chance(rng, 0.3)) note.original_stamp.reset();
       ASSERT_TRUE(write_recovery(folder.path(), document, note, layer));
-      const auto read = read_recovery(folder.path());
-      ASSERT_TRUE(read) << to_string(read.error());
+      const auto read = test::must(read_recovery(folder.path()));
       ASSERT_TRUE(read->document == document);
       ASSERT_TRUE(read->note == note);
       ASSERT_EQ(read_recovery_note(folder.path()), note);
@@ -64,8 +61,7 @@ TEST(Recovery, EveryFailingCallLeavesTheOldOrTheNewCopy) {
         ASSERT_TRUE(write_recovery(folder.path(), before, old_note, system));
         test::FailingLayer layer(failing, error_number, dead, 500);
         const auto written = write_recovery(folder.path(), after, new_note, layer);
-        const auto read = read_recovery(folder.path());
-        ASSERT_TRUE(read) << to_string(read.error());
+        const auto read = test::must(read_recovery(folder.path()));
         ASSERT_TRUE(read->document == before || read->document == after);
         if (written) {
           ASSERT_TRUE(read->document == after);

@@ -1,7 +1,5 @@
 // The sample documents: each opens, is written as the program writes, and becomes a surface.
 
-#include <gtest/gtest.h>
-
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
@@ -14,6 +12,7 @@
 #include "core/document/format/format.hpp"
 #include "core/modeling/surfacing/object_surfacer.hpp"
 #include "tests/patching/g2_support.hpp"
+#include "tests/support/must.hpp"
 #include "tests/support/places.hpp"
 
 namespace hariko {
@@ -83,8 +82,7 @@ TEST(Samples, AreAllListed) {
 TEST(Samples, OfSolidsOpenAndAreWrittenAsTheyAre) {
   for (const auto& [name, solids] : solid_samples()) {
     SCOPED_TRACE(name);
-    const Result<Document> document = load_document(path_of(name));
-    ASSERT_TRUE(document) << to_string(document.error());
+    const Result<Document> document = test::must(load_document(path_of(name)));
     ASSERT_EQ(document->objects.size(), 1U);
     const SolidsSource* source = document->objects[0]->solids();
     ASSERT_NE(source, nullptr);
@@ -96,15 +94,13 @@ TEST(Samples, OfSolidsOpenAndAreWrittenAsTheyAre) {
 TEST(Samples, OfOutlinesOpenAndHaveSmoothSurfaces) {
   for (const auto& [name, loops] : outline_samples()) {
     SCOPED_TRACE(name);
-    const Result<Document> document = load_document(path_of(name));
-    ASSERT_TRUE(document) << to_string(document.error());
+    const Result<Document> document = test::must(load_document(path_of(name)));
     ASSERT_EQ(document->objects.size(), 1U);
     const OutlineSource* source = document->objects[0]->outline();
     ASSERT_NE(source, nullptr);
     EXPECT_EQ(source->outline->loops.size(), loops);
     EXPECT_EQ(write_document(*document), read_file(path_of(name)).value());
-    const auto made = object_surface(*document, *document->objects[0]);
-    ASSERT_TRUE(made) << to_string(made.error());
+    const auto made = test::must(object_surface(*document, *document->objects[0]));
     for (const Message& warning : made->warnings) ADD_FAILURE() << to_string(warning);
     const ContinuityReport report = continuity(made->surface);
     EXPECT_LE(*report.largest_normal_jump, 1e-10);
@@ -116,8 +112,7 @@ TEST(Samples, OfOutlinesOpenAndHaveSmoothSurfaces) {
 TEST(Samples, OfSkinsOpenAndBecomeSmoothSurfaces) {
   for (const ExpectedSkin& sample : skin_samples()) {
     SCOPED_TRACE(sample.name);
-    const Result<Document> document = load_document(path_of(sample.name));
-    ASSERT_TRUE(document) << to_string(document.error());
+    const Result<Document> document = test::must(load_document(path_of(sample.name)));
     ASSERT_EQ(document->objects.size(), 1U);
     const SkinSource* source = document->objects[0]->skin();
     ASSERT_NE(source, nullptr);
@@ -125,8 +120,7 @@ TEST(Samples, OfSkinsOpenAndBecomeSmoothSurfaces) {
     EXPECT_EQ(source->skin->links.size(), sample.links);
     EXPECT_EQ(source->skin->merges.size(), sample.merges);
     EXPECT_EQ(write_document(*document), read_file(path_of(sample.name)).value());
-    const auto made = object_surface(*document, *document->objects[0]);
-    ASSERT_TRUE(made) << to_string(made.error());
+    const auto made = test::must(object_surface(*document, *document->objects[0]));
     // Steep ridges have sides that look away from each other, and say so.
     for (const Message& warning : made->warnings) EXPECT_EQ(warning.code, w_fold) << to_string(warning);
     const ContinuityReport report = continuity(made->surface);
@@ -139,8 +133,7 @@ TEST(Samples, OfSkinsOpenAndBecomeSmoothSurfaces) {
 TEST(Samples, OpenWithTheirElements) {
   for (const Expected& sample : samples()) {
     SCOPED_TRACE(sample.name);
-    const Result<Document> document = load_document(path_of(sample.name));
-    ASSERT_TRUE(document) << to_string(document.error());
+    const Result<Document> document = test::must(load_document(path_of(sample.name)));
     ASSERT_EQ(document->objects.size(), 1U);
     const PolyhedronSource* source = document->objects[0]->polyhedron();
     ASSERT_NE(source, nullptr);
@@ -173,8 +166,7 @@ TEST(Samples, AreCurvatureContinuousInModeG2) {
     for (const auto& object : document.objects) {
       if (!object->polyhedron()) continue;
       SCOPED_TRACE(name + " " + object->name);
-      const auto made = object_surface(document, *object);
-      ASSERT_TRUE(made) << to_string(made.error());
+      const auto made = test::must(object_surface(document, *object));
       EXPECT_TRUE(std::get<SolveReport>(made->details).g2_converged);
       const test::Jumps jumps = test::jumps_of(made->surface);
       EXPECT_EQ(jumps.gap, 0);
@@ -192,8 +184,7 @@ TEST(Samples, BecomeSmoothSurfacesInEveryMode) {
       PolyhedronSurfaceInput input = surface_input(*document.objects[0]->polyhedron()).value();
       input.mode = mode;
       PolyhedronSurfacer surfacer;
-      const Result<PolyhedronSurface> result = surfacer.rebuild(input);
-      ASSERT_TRUE(result) << to_string(result.error());
+      const Result<PolyhedronSurface> result = test::must(surfacer.rebuild(input));
       EXPECT_EQ(result->surface.patch_count(), input.polyhedron.topology().half_edge_count());
       const ContinuityReport report = continuity(result->surface);
       EXPECT_LE(*report.largest_normal_jump, 1e-10);

@@ -1,7 +1,5 @@
 // Saved views in the document: edits, what is refused, units, files and undo.
 
-#include <gtest/gtest.h>
-
 #include <limits>
 
 #include "core/document/convert_unit.hpp"
@@ -34,7 +32,6 @@ TEST(SavedViews, AreAddedFoundUpdatedRenamedAndRemoved) {
   ASSERT_EQ(document.saved_views->size(), 2U);
   EXPECT_EQ(*find_view(document, "Detail"), view_called("Detail"));
   EXPECT_EQ(find_view(document, "detail"), nullptr);
-  EXPECT_EQ(next_view_name(document), "View 1");
   SavedView closer = view_called("Front left");
   closer.distance = 10;
   const Document updated = update_view(document, closer).value();
@@ -43,7 +40,6 @@ TEST(SavedViews, AreAddedFoundUpdatedRenamedAndRemoved) {
       << "an edit without effect shares everything";
   const Document renamed = rename_view(document, "Front left", "View 1").value();
   EXPECT_EQ((*renamed.saved_views)[0].name, "View 1");
-  EXPECT_EQ(next_view_name(renamed), "View 2");
   EXPECT_EQ(rename_view(document, "Detail", "Detail")->saved_views.get(), document.saved_views.get());
   const Document left = remove_view(document, "Front left").value();
   ASSERT_EQ(left.saved_views->size(), 1U);
@@ -122,8 +118,7 @@ TEST(SavedViews, AreInFilesAndEqualityNoticesEveryField) {
     Document other = document;
     other.saved_views = views;
     EXPECT_FALSE(other == document);
-    const Result<Document> again = read_document(write_document(other));
-    ASSERT_TRUE(again) << to_string(again.error());
+    const Result<Document> again = test::must(read_document(write_document(other)));
     EXPECT_TRUE(*again == other) << write_document(*again);
   };
   changed([](SavedView& v) { v.name = "Other"; });

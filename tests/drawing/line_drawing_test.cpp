@@ -1,7 +1,5 @@
 #include "core/drawing/line_drawing.hpp"
 
-#include <gtest/gtest.h>
-
 #include <map>
 #include <numbers>
 
@@ -63,8 +61,7 @@ Surface box_of_patches() {
         }
       patches.push_back(patch);
     }
-  auto welded = weld_patches(Vector3::Zero(), patches);
-  EXPECT_TRUE(welded.ok());
+  auto welded = test::must(weld_patches(Vector3::Zero(), patches));
   return std::move(welded).value();
 }
 
@@ -77,8 +74,8 @@ Surface box_of_facets() {
   return facet_surface(Vector3::Zero(), corners, triangles, std::vector<Element>(12));
 }
 
-/// Of the twelve edges of that box on the page: those seen from a direction with three negative components,
-/// and the three that meet in the far corner.
+/// Lengths of that box's twelve edges on the page: sum of those seen from a direction with three negative
+/// components, and of the three that meet in the far corner.
 std::array<double, 2> box_edges(const DrawingView& view) {
   std::array<double, 2> out{0, 0};
   for (int axis = 0; axis < 3; ++axis)
@@ -272,8 +269,7 @@ TEST(LineDrawing, OnlyTheKindsAskedForAreDrawn) {
   for (const auto& [kind, length] : all) {
     LineDrawingSettings settings;
     settings.kinds = {kind};
-    const auto drawing = draw_lines(two, view, settings);
-    ASSERT_TRUE(drawing.ok()) << to_string(drawing.error());
+    const auto drawing = test::must(draw_lines(two, view, settings));
     const auto found = lengths_of(drawing->lines);
     ASSERT_EQ(found.size(), 1U) << to_string(kind);
     EXPECT_EQ(found.begin()->first, kind);
@@ -356,9 +352,7 @@ TEST(LineDrawing, TellsHowFarItIs) {
 TEST(LineDrawing, WhatLiesBehindTheEyeIsNotDrawn) {
   const DrawnSurface sphere = placed(test::sphere(1), Vector3(0, -20, 0));
   const DrawingView view = view_along(Vector3::UnitY(), Vector3::Zero(), 10, 6, false);
-  const auto drawing = draw_lines(std::span(&sphere, 1), view, {});
-  ASSERT_FALSE(drawing.ok());
-  EXPECT_EQ(drawing.error().code, e_drawing_empty);
+  test::must_fail(draw_lines(std::span(&sphere, 1), view, {}), e_drawing_empty);
   EXPECT_EQ(draw_lines({}, view, {}).error().code, e_drawing_empty);
 }
 
@@ -367,9 +361,7 @@ TEST(LineDrawing, CanBeCancelled) {
   const DrawingView view = view_along(Vector3::UnitY(), Vector3::Zero(), 10, 6, false);
   const CancelToken cancel = CancelToken::make();
   cancel.cancel();
-  const auto drawing = draw_lines(std::span(&sphere, 1), view, {}, cancel);
-  ASSERT_FALSE(drawing.ok());
-  EXPECT_EQ(drawing.error().code, e_cancelled);
+  test::must_fail(draw_lines(std::span(&sphere, 1), view, {}, cancel), e_cancelled);
 }
 
 }  // namespace hariko

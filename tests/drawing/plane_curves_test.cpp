@@ -2,8 +2,6 @@
 
 #include "core/drawing/plane_curves.hpp"
 
-#include <gtest/gtest.h>
-
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -270,8 +268,7 @@ Surface box_with_joints(double at) {
   for (const Vector3& normal : {Vector3(-1, 0, 0), Vector3(0, 1, 0), Vector3(0, -1, 0)})
     face(normal, Vector3::UnitZ(), -1, 1);
   for (const double side : {-1.0, 1.0}) face(side * Vector3::UnitZ(), Vector3::UnitX(), -1, 1);
-  auto welded = weld_patches(Vector3::Zero(), patches);
-  EXPECT_TRUE(welded.ok());
+  auto welded = test::must(weld_patches(Vector3::Zero(), patches));
   return std::move(welded).value();
 }
 
@@ -309,8 +306,7 @@ Surface ball_of_patches() {
         }
       patches.push_back(patch);
     }
-  auto welded = weld_patches(Vector3::Zero(), patches);
-  EXPECT_TRUE(welded.ok());
+  auto welded = test::must(weld_patches(Vector3::Zero(), patches));
   return std::move(welded).value();
 }
 

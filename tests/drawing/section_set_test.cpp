@@ -2,8 +2,6 @@
 
 #include "core/drawing/section_set.hpp"
 
-#include <gtest/gtest.h>
-
 #include <cmath>
 #include <numbers>
 
@@ -60,8 +58,7 @@ TEST(SectionSet, PlanesCutASphereInCirclesWithTheirOwnCurvature) {
     planes.spacing = 0.35 * r;
     planes.first = direction.dot(centre) - 0.7 * r;
     const DrawnSurface drawn = moved(test::sphere(radius), centre, scale);
-    const auto set = section_set(std::span(&drawn, 1), planes);
-    ASSERT_TRUE(set.ok());
+    const auto set = test::must(section_set(std::span(&drawn, 1), planes));
     ASSERT_EQ(set->curves.size(), 5U);
     for (const SectionCurve& curve : set->curves) {
       const double height = planes.offset(curve.plane) - direction.dot(centre);
@@ -87,8 +84,7 @@ TEST(SectionSet, ThePlaneAcrossATorusCutsItsTubeTwice) {
   planes.direction = Vector3::UnitX();
   planes.count = 1;
   planes.first = 0;
-  const auto set = section_set(std::span(&drawn, 1), planes);
-  ASSERT_TRUE(set.ok());
+  const auto set = test::must(section_set(std::span(&drawn, 1), planes));
   ASSERT_EQ(set->curves.size(), 2U);
   for (const SectionCurve& curve : set->curves) {
     EXPECT_NEAR(length_of_curve(curve), 2 * std::numbers::pi, 1e-3);
@@ -104,8 +100,7 @@ TEST(SectionSet, ScansHaveTheCurvatureOfTheirFacets) {
   planes.first = 4.3;
   planes.spacing = 2.5;
   planes.count = 3;
-  const auto set = section_set(std::span(&drawn, 1), planes);
-  ASSERT_TRUE(set.ok());
+  const auto set = test::must(section_set(std::span(&drawn, 1), planes));
   ASSERT_EQ(set->curves.size(), 3U);
   for (const SectionCurve& curve : set->curves) {
     EXPECT_TRUE(curve.closed);
@@ -119,8 +114,7 @@ TEST(SectionSet, ScansHaveTheCurvatureOfTheirFacets) {
   planes.direction = Vector3::UnitX();
   planes.first = 1 + 0.3;
   planes.count = 1;
-  const auto straight = section_set(std::span(&drawn, 1), planes);
-  ASSERT_TRUE(straight.ok());
+  const auto straight = test::must(section_set(std::span(&drawn, 1), planes));
   ASSERT_EQ(straight->curves.size(), 2U);
   for (const SectionCurve& curve : straight->curves) {
     EXPECT_FALSE(curve.closed);
@@ -136,8 +130,7 @@ TEST(SectionSet, CombsOfAllObjectsHaveOneScale) {
   planes.direction = Vector3::UnitZ();
   planes.first = 0;
   planes.count = 1;
-  const auto set = section_set(drawn, planes);
-  ASSERT_TRUE(set.ok());
+  const auto set = test::must(section_set(drawn, planes));
   ASSERT_EQ(set->curves.size(), 2U);
   const double length = tooth_length(*set, 1);
   ASSERT_GT(length, 0);
@@ -173,9 +166,7 @@ TEST(SectionSet, PlanesAreSpreadOverTheBox) {
 
 TEST(SectionSet, WhatCannotBeCutIsSaid) {
   const DrawnSurface drawn = moved(test::sphere(1), Vector3::Zero(), 1);
-  SectionPlanes planes;
-  planes.first = 5;
-  planes.count = 3;
+  SectionPlanes planes{.first = 5, .count = 3};
   EXPECT_EQ(section_set(std::span(&drawn, 1), planes).error().code, e_sections_empty);
   planes.count = 0;
   EXPECT_EQ(section_set(std::span(&drawn, 1), planes).error().code, e_sections_planes);
@@ -197,8 +188,7 @@ TEST(SectionSet, FilesAreAtFullSizeInMillimetres) {
   planes.direction = Vector3::UnitZ();
   planes.first = 5;
   planes.count = 1;
-  const auto set = section_set(std::span(&drawn, 1), planes);
-  ASSERT_TRUE(set.ok());
+  const auto set = test::must(section_set(std::span(&drawn, 1), planes));
   const std::string svg = write_sections_svg(*set, {false, 1}, 10);
   EXPECT_NE(svg.find("width=\"30mm\" height=\"30mm\""), std::string::npos) << svg.substr(0, 300);
   EXPECT_NE(svg.find("id=\"section-1\""), std::string::npos);

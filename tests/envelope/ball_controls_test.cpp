@@ -1,5 +1,5 @@
-// What designers do to a ball's surface beyond its two lengths: roundness of a solid, bridges, parts that are
-// joined; and places where it could jump or pinch.
+// Designers' controls of a ball's surface beyond its two lengths: roundness of a solid, bridges, parts that
+// are joined; and places where it could jump or pinch.
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,6 @@
 
 #include "core/envelope/ball/ball_envelope.hpp"
 #include "core/envelope/ball/tightness.hpp"
-#include "core/envelope/bridge.hpp"
 #include "core/envelope/scene_symmetry.hpp"
 #include "tests/envelope/envelope_scenes.hpp"
 

@@ -8,7 +8,6 @@
 
 #include "core/envelope/ball/ball_envelope.hpp"
 #include "core/envelope/ball/tightness.hpp"
-#include "core/envelope/bridge.hpp"
 #include "core/envelope/scene_symmetry.hpp"
 #include "tests/envelope/envelope_scenes.hpp"
 

@@ -1,11 +1,12 @@
 // Meshes over cubes of several sizes are closed, whatever cubes are halved.
 
-#include "core/envelope/ball/contour.hpp"
-
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <map>
 
+#include "core/base/equal_bits.hpp"
+#include "core/envelope/ball/ball_cage.hpp"
 #include "tests/support/random.hpp"
 
 namespace hariko::test {
@@ -52,6 +53,31 @@ TEST(CubeTree, CubesThatTouchDifferByOneLevelAtMost) {
       EXPECT_LE(std::abs(cubes.leaf(at).level - cubes.leaf(beside).level), 1);
     }
   });
+}
+
+TEST(Contour, IsTheSameWithValuesKeptByTheCubes) {
+  const SplineField field = ball_field(2, 0);
+  const CubeTree keeping = surface_cubes(field, Vector3::Zero(), 1);
+  ASSERT_FALSE(keeping.any_split());
+  const int half = keeping.steps(0) / 2;
+  int known = 0;
+  for (int k = 0; k <= 2 * keeping.size()[2]; ++k)
+    for (int j = 0; j <= 2 * keeping.size()[1]; ++j)
+      for (int i = 0; i <= 2 * keeping.size()[0]; ++i) {
+        const std::array<int, 3> node{half * i, half * j, half * k};
+        const double kept = keeping.known_value(node);
+        if (std::isnan(kept)) continue;
+        ++known;
+        ASSERT_TRUE(equal_bits(kept, field.value(keeping.point(node))));
+      }
+  EXPECT_GT(known, 0);
+  EXPECT_TRUE(std::isnan(keeping.known_value({half + 1, half, half})));
+  const CubeTree plain(keeping.point({0, 0, 0}), keeping.size(), 1, keeping.depth());
+  const Contour one = contour(keeping, field), other = contour(plain, field);
+  EXPECT_EQ(one.faces, other.faces);
+  ASSERT_EQ(one.vertices.size(), other.vertices.size());
+  for (std::size_t v = 0; v < one.vertices.size(); ++v)
+    ASSERT_TRUE(equal_bits(one.vertices[v].position, other.vertices[v].position)) << v;
 }
 
 TEST(Contour, IsClosedOverCubesOfSeveralSizes) {

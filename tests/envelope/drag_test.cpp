@@ -15,7 +15,7 @@ namespace {
 constexpr int all_steps = 1000;
 
 struct Frame {
-  std::vector<Vector3> points;  ///< of a grid on every patch
+  std::vector<Vector3> points;  ///< grid points on every patch
   std::vector<std::pair<Index, Index>> connection;
 };
 
@@ -66,10 +66,8 @@ Statistics drag(EnvelopeInput input, int steps) {
   const auto place = [&](int step) { input.solids.front().position = from + step / double(all_steps) * way; };
   EnvelopeSurfacer surfacer;
   place(first);
-  const auto start = surfacer.rebuild(input);
-  EXPECT_TRUE(start.ok());
+  const auto start = must(surfacer.rebuild(input));
   Statistics out;
-  if (!start) return out;
   Frame before = frame_of(*start);
   for (int step = first + 1; step <= first + steps; ++step) {
     place(step);
@@ -92,11 +90,8 @@ Statistics drag(EnvelopeInput input, int steps) {
     before = now;
   }
   // Released, the surface is the one that the solids have from the start.
-  const auto released = surfacer.rebuild(input), cold = EnvelopeSurfacer().rebuild(input);
-  EXPECT_TRUE(released.ok() && cold.ok());
-  if (released && cold) {
-    EXPECT_EQ(frame_of(*released).points, frame_of(*cold).points);
-  }
+  const auto released = must(surfacer.rebuild(input)), cold = must(EnvelopeSurfacer().rebuild(input));
+  EXPECT_EQ(frame_of(*released).points, frame_of(*cold).points);
   return out;
 }
 

@@ -3,7 +3,6 @@
 #include <Eigen/Geometry>
 
 #include "core/envelope/enclosure_check.hpp"
-#include "core/surface/tessellation.hpp"
 #include "tests/envelope/envelope_scenes.hpp"
 #include "tests/support/analytic_patches.hpp"
 
@@ -89,18 +88,15 @@ TEST(EnclosureCheck, EdgesThatReachOutBetweenTheirTestPointsAreFound) {
     EXPECT_LE(std::abs(point.point.y()), 0.1);
     EXPECT_NEAR(point.point.x(), 2 - out, 1e-3);
   }
-  // That is what the points of the curves are for.
+  // Only close points of the curves find it: at a spacing of 3 nothing is outside.
   EXPECT_EQ(check_enclosure(wide_torus(), solids, {16, 100, 3, true}, slack).outside, 0U);
 }
 
 TEST(EnclosureCheck, RimsThatReachOutBetweenTheirTestPointsAreFound) {
   constexpr double out = 0.0004;
   // Within the tube's wall at the far side, where the tube is as round as the rim but for a little.
-  Solid drum;
-  drum.kind = SolidKind::cylinder;
-  drum.radius = 3.6;
-  drum.height = 0.2;
-  // Of the outer wall z = 0.1 is at 3 + sqrt(1 - 0.01); the rim is moved towards it.
+  Solid drum{.kind = SolidKind::cylinder, .radius = 3.6, .height = 0.2};
+  // The outer wall at z = 0.1 has the radius 3 + sqrt(1 - 0.01); the rim is moved towards it.
   const double wall = 3 + std::sqrt(1 - 0.01);
   const double turn = (0.5 / 48) * 2 * std::numbers::pi;
   drum.position = (wall + out - 3.6) * Vector3(std::cos(turn), std::sin(turn), 0);
@@ -113,10 +109,7 @@ TEST(EnclosureCheck, RimsThatReachOutBetweenTheirTestPointsAreFound) {
 
 TEST(EnclosureCheck, TipsFarOutsideAreMeasured) {
   // A needle with its tip 5 outside of the sphere: its edges are farther from the sphere than they are long.
-  Solid needle;
-  needle.kind = SolidKind::pyramid;
-  needle.radius = 0.2;
-  needle.height = 8;
+  Solid needle{.kind = SolidKind::pyramid, .radius = 0.2, .height = 8};
   needle.position = {0, 0, 1};  // its tip is three quarters of the height above
   const std::vector<SolidShape> shapes = shapes_of({needle});
   const EnclosureReport report = check_enclosure(sphere(2), shapes, effort, slack);
@@ -125,7 +118,7 @@ TEST(EnclosureCheck, TipsFarOutsideAreMeasured) {
 
 TEST(EnclosureCheck, FacesThatTheSurfaceRunsBelowAreFound) {
   constexpr double out = 0.01;
-  const Vector3 middle(1, 0.2, 0.13);  // of a spot of 0.06 across
+  const Vector3 middle(1, 0.2, 0.13);  // middle of a spot of 0.06 across
   Solid box;
   box.size = {2, 2, 2};
   const auto solids = shapes_of({box});
@@ -143,11 +136,8 @@ TEST(EnclosureCheck, FacesThatTheSurfaceRunsBelowAreFound) {
 }
 
 TEST(EnclosureCheck, BodiesOfCapsulesAreSolid) {
-  Solid capsule;
-  capsule.kind = SolidKind::capsule;
-  capsule.radius = 0.5;
-  capsule.length = 3;
-  // Where the surface runs into the body between two of its lines, that is found.
+  Solid capsule{.kind = SolidKind::capsule, .radius = 0.5, .length = 3};
+  // A surface that runs into the body between two of its lines is found.
   const auto solids = shapes_of({capsule});
   const Vector3 middle = 0.5 * Vector3(std::cos(0.19), std::sin(0.19), 0.3);
   const Surface dented = dented_sphere(middle.normalized(), 2 - middle.norm() + 0.01);

@@ -29,8 +29,8 @@ inline EnvelopeInput golden_scene(const std::string& name) {
   EnvelopeInput out = *scene;
   // They are from before there was the ball; its own tests choose it.
   out.settings.method = EnvelopeMethod::network;
-  out.settings.from_before = false;
-  out.settings.lost.clear();
+  out.settings.converted.method = false;
+  out.settings.converted.lost.clear();
   return out;
 }
 
@@ -50,12 +50,13 @@ inline EnvelopeInput ball_scene(std::vector<Solid> solids, double rounding, std:
   return out;
 }
 
-/// Final envelope of such a scene.
-inline BallEnvelope made_ball(const EnvelopeInput& input) {
+/// Envelope of such a scene. `memory`: of the frames before, or null.
+inline BallEnvelope made_ball(const EnvelopeInput& input, Quality quality = Quality::final,
+                              BallMemory* memory = nullptr) {
   const EnvelopedScene scene = enveloped_scene(input);
   auto made =
       ball_envelope(scene.input.solids, ball_settings(input.settings, solids_size(scene.input.solids)),
-                    scene.origin, scene.mirror, Quality::final);
+                    scene.origin, scene.mirror, quality, {}, memory);
   if (!made) ADD_FAILURE() << "there is no surface";
   return made ? *std::move(made) : BallEnvelope{};
 }

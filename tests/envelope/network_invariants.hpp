@@ -1,6 +1,6 @@
 #pragma once
 
-// What every network has at its vertices.
+// Invariants of every network at its vertices.
 
 #include <gtest/gtest.h>
 

@@ -49,8 +49,7 @@ TEST(EnvelopeNetwork, SingleAndPairedSolidsHaveTheMeasuredNetworks) {
                                    {"ell", 10, 15, 7, 3, 15}}) {
     SCOPED_TRACE(expected.name);
     const EnvelopeInput input = golden_scene(expected.name);
-    const auto made = EnvelopeSurfacer().rebuild(input);
-    ASSERT_TRUE(made.ok()) << to_string(made.error());
+    const auto made = must(EnvelopeSurfacer().rebuild(input));
     const NetworkCage& cage = made->network->cage;
     EXPECT_EQ(cage.vertices.size(), expected.vertices);
     EXPECT_EQ(made->network->curves.size(), expected.edges);
@@ -91,8 +90,7 @@ TEST(EnvelopeNetwork, SaysWhatItDoesNotContainAndOffersTheBall) {
 
 TEST(EnvelopeNetwork, AUnitBoxHasTheMeasuredValues) {
   EnvelopeInput input = golden_scene("box");
-  auto made = EnvelopeSurfacer().rebuild(input);
-  ASSERT_TRUE(made.ok());
+  auto made = must(EnvelopeSurfacer().rebuild(input));
   const CurveNetwork& network = *made->network;
   bool found = false;
   for (Index a = 0; a < 8; ++a)
@@ -128,8 +126,7 @@ TEST(EnvelopeNetwork, AUnitBoxHasTheMeasuredValues) {
 }
 
 TEST(EnvelopeNetwork, TwoBoxesApartHaveTheMeasuredBridge) {
-  const auto made = EnvelopeSurfacer().rebuild(golden_scene("two_apart"));
-  ASSERT_TRUE(made.ok());
+  const auto made = must(EnvelopeSurfacer().rebuild(golden_scene("two_apart")));
   double nearest = 1;
   for (Index p = 0; p < made->surface.patch_count(); ++p) {
     const Vector3 q =
@@ -158,15 +155,13 @@ TEST(EnvelopeNetwork, ThinRingsAndDiscsAreNotFlat) {
 }
 
 TEST(EnvelopeNetwork, ABallIsNearlyABall) {
-  const auto made = EnvelopeSurfacer().rebuild(golden_scene("sphere"));
-  ASSERT_TRUE(made.ok());
+  const auto made = must(EnvelopeSurfacer().rebuild(golden_scene("sphere")));
   EXPECT_NEAR(measure(made->surface).volume.value(), 4 * std::numbers::pi / 3, 0.02);
 }
 
 TEST(EnvelopeNetwork, APolyhedronThatIsNotConvexIsReplacedByItsHullAndSaysSo) {
   EnvelopeInput input;
-  Solid solid;
-  solid.kind = SolidKind::polyhedron;
+  Solid solid{.kind = SolidKind::polyhedron};
   solid.points = {{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}};
   input.solids = {solid};
   const auto says = [&] {

@@ -1,9 +1,6 @@
 // Pulls: the ball's surface passes through places chosen by hand, and still contains the solids.
 
-#include <gtest/gtest.h>
-
 #include <Eigen/Geometry>
-#include <cmath>
 
 #include "core/envelope/ball/ball_envelope.hpp"
 #include "core/envelope/ball/tightness.hpp"
@@ -15,8 +12,7 @@ namespace hariko::test {
 namespace {
 
 Solid pulled_ball(const Vector3& at, double radius, std::uint32_t id = 0) {
-  Solid out;
-  out.kind = SolidKind::sphere;
+  Solid out{.kind = SolidKind::sphere};
   out.radius = radius;
   out.position = at;
   out.id = id;

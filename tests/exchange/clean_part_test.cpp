@@ -1,6 +1,7 @@
 #include "core/exchange/repair/clean_part.hpp"
 
-#include <gtest/gtest.h>
+#include <string>
+#include <utility>
 
 #include "core/polyhedron/polyhedron.hpp"
 #include "core/polyhedron/repair.hpp"
@@ -92,17 +93,36 @@ TEST(CleanPart, CornersOfLooseFacesMayBeFartherApart) {
   EXPECT_EQ(apart.near, 0U);
 }
 
+TEST(CleanPart, AStrayPartFarAwayMakesNoCornersNear) {
+  // A sheet with sides of a tenth, and a triangle ten million away: a millionth of the whole is ten.
+  PolygonMesh mesh = test::grid(20, 20);
+  const auto first = static_cast<Index>(mesh.positions.size());
+  for (const Vector3& corner : {Vector3(1e7, 0, 0), Vector3(1e7, 0.1, 0), Vector3(1e7, 0, 0.1)})
+    mesh.positions.push_back(corner);
+  mesh.add_face({first, first + 1, first + 2});
+  for (const bool near : {false, true}) {
+    ImportedPart part{mesh, "sheet"};
+    CleanReport report;
+    clean(part, {.near = near, .split_edges = true}, report);
+    EXPECT_EQ(part.mesh.positions, mesh.positions);
+    EXPECT_EQ(part.mesh.face_vertices, mesh.face_vertices);
+    EXPECT_TRUE(report.messages().empty());
+    EXPECT_LT(report.tolerance, 0.02);
+  }
+  const auto repaired = test::must(make_manifold(mesh));
+  EXPECT_EQ(repaired->report, RepairReport{});
+}
+
 TEST(CleanPart, BodiesThatShareCornersAreToldApartWithTheirMarks) {
   const PolygonMesh two = weld(test::together(test::cube(), test::cube(), {2, 2, 0}), 0);
   ASSERT_EQ(two.positions.size(), 14U);
   ImportedPart part{two, "two"};
-  part.creases = {{6, 2}};  // where they touch, x = y = 1
+  part.creases = {{6, 2}};  // they touch there, x = y = 1
   part.corners = {6};
   CleanReport report;
   clean(part, {}, report);
   EXPECT_EQ(report.apart, 2U);
-  const auto built = Polyhedron::build(part.mesh);
-  ASSERT_TRUE(built.ok()) << to_string(built.error());
+  const auto built = test::must(Polyhedron::build(part.mesh));
   EXPECT_EQ(built->topology().border_loop_count(), 0U);
   EXPECT_EQ(part.creases.size(), 2U);
   for (const auto& [a, b] : part.creases) {
@@ -113,6 +133,49 @@ TEST(CleanPart, BodiesThatShareCornersAreToldApartWithTheirMarks) {
   EXPECT_EQ(part.corners.size(), 2U);
   ASSERT_EQ(report.messages().size(), 1U);
   EXPECT_EQ(report.messages()[0].code, w_bodies_apart);
+}
+
+TEST(CleanPart, ABodyThatTouchesItselfAlongAWholeEdgeOpensFromEveryFormat) {
+  // Two columns between two slabs meet along an edge.
+  const PolygonMesh body = test::cells(2, 2, 3, [](int x, int y, int z) { return z != 1 || x == y; });
+  std::string off =
+      "OFF\n" + std::to_string(body.positions.size()) + ' ' + std::to_string(body.face_count()) + " 0\n";
+  std::string obj, stl = "solid body\n";
+  const auto text_of = [](const Vector3& p) {
+    return std::to_string(p.x()) + ' ' + std::to_string(p.y()) + ' ' + std::to_string(p.z()) + '\n';
+  };
+  for (const Vector3& p : body.positions) {
+    off += text_of(p);
+    obj += "v " + text_of(p);
+  }
+  for (std::size_t f = 0; f < body.face_count(); ++f) {
+    const auto face = body.face(f);
+    off += "4";
+    obj += "f";
+    for (const Index v : face) {
+      off += ' ' + std::to_string(v);
+      obj += ' ' + std::to_string(v + 1);
+    }
+    off += '\n';
+    obj += '\n';
+    for (const std::size_t k : {1U, 2U}) {
+      stl += "facet normal 0 0 0\nouter loop\n";
+      for (const Index v : {face[0], face[k], face[k + 1]}) stl += "vertex " + text_of(body.positions[v]);
+      stl += "endloop\nendfacet\n";
+    }
+  }
+  stl += "endsolid body\n";
+  for (const auto& [format, text] :
+       {std::pair{MeshFormat::off, off}, std::pair{MeshFormat::obj, obj}, std::pair{MeshFormat::stl, stl}}) {
+    auto scene = test::must(read_parts(text, format, {}, {}));
+    ImportedPart& part = scene.value().parts.at(0);
+    CleanReport report;
+    clean(part, {}, report);
+    EXPECT_EQ(report.apart, 2U);
+    const auto built = test::must(Polyhedron::build(part.mesh));
+    EXPECT_EQ(built->topology().border_loop_count(), 0U);
+    EXPECT_EQ(built->topology().face_components().back(), 0U) << "one body";
+  }
 }
 
 TEST(CleanPart, CornersOnEdgesAreToldOrTheEdgesAreSplit) {
@@ -135,8 +198,7 @@ TEST(CleanPart, CornersOnEdgesAreToldOrTheEdgesAreSplit) {
   clean(split, {.split_edges = true}, done);
   EXPECT_EQ(done.split_edges, 1U);
   EXPECT_EQ(split.mesh.face_count(), 6U);
-  const auto built = Polyhedron::build(split.mesh);
-  ASSERT_TRUE(built.ok()) << to_string(built.error());
+  const auto built = test::must(Polyhedron::build(split.mesh));
   EXPECT_EQ(built->topology().border_loop_count(), 0U);
   // A corner beside an edge, and one whose faces do not run along it, are no T-joints.
   ImportedPart apart;
@@ -149,16 +211,14 @@ TEST(CleanPart, CornersOnEdgesAreToldOrTheEdgesAreSplit) {
 }
 
 TEST(CleanPart, TheFlatAndTheCollapsedTriangleOfAnStlAreDropped) {
-  auto scene = read_scene_file(test::case_file("stl_one_flat_triangle.stl"));
-  ASSERT_TRUE(scene.ok()) << to_string(scene.error());
+  auto scene = test::must(read_scene_file(test::case_file("stl_one_flat_triangle.stl")));
   ImportedPart part = std::move(scene.value().parts.at(0));
   CleanReport report;
   clean(part, {}, report);
   EXPECT_EQ(report.flat, 1U);
   ASSERT_EQ(scene->warnings.size(), 1U);
   EXPECT_EQ(scene->warnings[0].code, w_degenerate_triangles);
-  const auto built = Polyhedron::build(part.mesh);
-  ASSERT_TRUE(built.ok()) << to_string(built.error());
+  const auto built = test::must(Polyhedron::build(part.mesh));
   EXPECT_EQ(built->vertex_count(), 8U);
   EXPECT_EQ(built->face_count(), 12U);
 }

@@ -2,11 +2,8 @@
 
 #include "core/exchange/file_rounding.hpp"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-
 #include "core/exchange/mesh_file.hpp"
+#include "tests/support/must.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace hariko {
@@ -42,11 +39,9 @@ TEST(FileRounding, WhatIsReportedIsTrueOfTheFile) {
           const TriangleMesh mesh = corner(scale * away * Vector3(1, -1, 0.3), scale * 0.7);
           const NamedTriangles named{"a", &mesh};
           const auto written =
-              write_mesh_file(folder.path() / name, std::span(&named, 1), {.encoding = encoding});
-          ASSERT_TRUE(written.ok()) << to_string(written.error());
+              test::must(write_mesh_file(folder.path() / name, std::span(&named, 1), {.encoding = encoding}));
           const double said = written->rounding.at(0).distance;
-          auto file = read_mesh_file(folder.path() / name);
-          ASSERT_TRUE(file.ok());
+          auto file = test::must(read_mesh_file(folder.path() / name));
           const double is = farthest(*file, mesh, Vector3::Zero());
           // Text is read as doubles, which may be nearer than the floats that it stands for.
           EXPECT_LE(is, said * 1.001 + 1e-15 * scale * (1 + away));
@@ -65,19 +60,16 @@ TEST(FileRounding, WhatRuinsAShapeIsAnErrorWithTheWayOut) {
     const auto file = folder.path() / "a.stl";
     test::spill(file, "old");
     const auto refused = write_mesh_file(file, std::span(&named, 1));
-    ASSERT_FALSE(refused.ok());
-    EXPECT_EQ(refused.error().code, e_file_digits);
+    test::must_fail(refused, e_file_digits);
     EXPECT_NE(refused.error().text.find("cube"), std::string::npos);
     EXPECT_NE(refused.error().remedy.find("--origin zero"), std::string::npos);
     EXPECT_EQ(test::slurp(file), "old");
     // Other formats hold it, and so does STL at zero.
     for (const char* name : {"a.obj", "a.ply", "a.off", "a.glb", "a.3mf"})
       EXPECT_TRUE(write_mesh_file(folder.path() / name, std::span(&named, 1)).ok()) << name;
-    const auto moved = write_mesh_file(file, std::span(&named, 1), {.to_zero = true});
-    ASSERT_TRUE(moved.ok()) << to_string(moved.error());
+    const auto moved = test::must(write_mesh_file(file, std::span(&named, 1), {.to_zero = true}));
     EXPECT_TRUE(moved->moved.isApprox(place + Vector3::Constant(5), 1e-15));
-    const auto read = read_mesh_file(file);
-    ASSERT_TRUE(read.ok());
+    const auto read = test::must(read_mesh_file(file));
     EXPECT_LT(farthest(*read, mesh, moved->moved), 1e-6);
   }
 }
@@ -88,14 +80,11 @@ TEST(FileRounding, APromisedDistanceDecides) {
   NamedTriangles named{"a", &mesh, usual_mesh_colour, 1e-3};
   EXPECT_TRUE(write_mesh_file(folder.path() / "a.stl", std::span(&named, 1)).ok());
   named.most_rounding = 1e-7;
-  const auto refused = write_mesh_file(folder.path() / "a.stl", std::span(&named, 1));
-  ASSERT_FALSE(refused.ok());
-  EXPECT_EQ(refused.error().code, e_file_digits);
+  test::must_fail(write_mesh_file(folder.path() / "a.stl", std::span(&named, 1)), e_file_digits);
   EXPECT_TRUE(write_mesh_file(folder.path() / "a.obj", std::span(&named, 1)).ok());
   // Without a promise, coarse coordinates are told.
   named.most_rounding.reset();
-  const auto told = write_mesh_file(folder.path() / "a.stl", std::span(&named, 1));
-  ASSERT_TRUE(told.ok());
+  const auto told = test::must(write_mesh_file(folder.path() / "a.stl", std::span(&named, 1)));
   ASSERT_EQ(told->warnings.size(), 1U);
   EXPECT_EQ(told->warnings[0].code, w_file_digits);
 }
@@ -112,8 +101,7 @@ TEST(FileRounding, APromisedAngleDecides) {
   EXPECT_TRUE(write_mesh_file(folder.path() / "a.stl", std::span(&named, 1)).ok());
   named.most_turn = 0.5 * turn;
   const auto refused = write_mesh_file(folder.path() / "b.stl", std::span(&named, 1));
-  ASSERT_FALSE(refused.ok());
-  EXPECT_EQ(refused.error().code, e_file_digits);
+  test::must_fail(refused, e_file_digits);
   EXPECT_NE(refused.error().text.find("degrees"), std::string::npos);
   EXPECT_FALSE(std::filesystem::exists(folder.path() / "b.stl"));
   EXPECT_TRUE(write_mesh_file(folder.path() / "b.obj", std::span(&named, 1)).ok());
@@ -128,14 +116,12 @@ TEST(FileRounding, FacetsThatAreTooSmallAreLeftOutWithACountAndNoHole) {
   mesh.positions.push_back({0.25 + 1e-8, 0.25, 0});
   mesh.triangles = {{0, 1, 3}, {1, 2, 3}, {0, 3, 2}, {0, 2, 4}, {2, 1, 5}, {1, 0, 4}, {2, 5, 4}, {1, 4, 5}};
   const NamedTriangles named{"a", &mesh};
-  const auto written = write_mesh_file(folder.path() / "a.stl", std::span(&named, 1));
-  ASSERT_TRUE(written.ok()) << to_string(written.error());
+  const auto written = test::must(write_mesh_file(folder.path() / "a.stl", std::span(&named, 1)));
   EXPECT_EQ(written->rounding[0].collapsed, 2U);
   EXPECT_EQ(written->rounding[0].left_out, 2U);
   ASSERT_EQ(written->warnings.size(), 1U);
   EXPECT_NE(written->warnings[0].text.find("2 facets"), std::string::npos) << written->warnings[0].text;
-  const auto read = read_mesh_file(folder.path() / "a.stl");
-  ASSERT_TRUE(read.ok());
+  const auto read = test::must(read_mesh_file(folder.path() / "a.stl"));
   EXPECT_EQ(read->mesh.face_count(), 6U);
   EXPECT_TRUE(validate(read->mesh).empty());
 }

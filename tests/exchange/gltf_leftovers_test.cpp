@@ -1,17 +1,11 @@
-#include <gtest/gtest.h>
-
 #include "core/exchange/gltf/read_gltf.hpp"
 #include "tests/exchange/gltf_text.hpp"
 #include "tests/exchange/mesh_text.hpp"
 
 // Contents of glTF files that the default scene does not show, and data that are written in unusual ways.
 
-namespace hariko {
+namespace hariko::test {
 namespace {
-
-using test::gltf_tetrahedron;
-using test::GltfLayout;
-using test::with;
 
 std::string leftovers_code(const Result<ImportedScene>& result) {
   return result.ok() ? "ok" : std::string(result.error().code.name);
@@ -21,19 +15,54 @@ TEST(GltfLeftovers, ObjectsOfOtherScenesAreCounted) {
   GltfLayout layout = gltf_tetrahedron();
   layout.nodes = R"([{"mesh": 0}, {"children": [0, 2, 3]}, {"mesh": 0}, {"mesh": 0}, {}])";
   layout.scene = R"("scenes": [{"nodes": [0]}, {"nodes": [1, 4, 99]}, 7, {"nodes": [3]}],)";
-  const auto read = read_gltf(layout.text());
-  ASSERT_TRUE(read.ok()) << to_string(read.error());
+  const auto read = test::must(read_gltf(layout.text()));
   EXPECT_EQ(read->parts.size(), 1U);
   ASSERT_EQ(read->warnings.size(), 1U);
   EXPECT_EQ(read->warnings[0].text, "2 objects of other scenes of the file were left out.");
+}
+
+TEST(GltfLeftovers, AnotherSceneStandsInForAnEmptyDefaultScene) {
+  struct Case {
+    const char* scene;
+    std::size_t parts;
+    std::vector<std::string> warnings;
+  };
+  GltfLayout layout = gltf_tetrahedron();
+  layout.nodes = R"([{"mesh": 0}, {}, {"children": [3, 4]}, {"mesh": 0}, {"mesh": 0}])";
+  const std::string instead = "No object belongs to the default scene of the file; scene ";
+  for (const Case& c :
+       {Case{R"("scene": 1, "scenes": [{"nodes": [0]}, {"name": "empty"}],)",
+             1,
+             {instead + "1 was opened instead.",
+              "2 objects that belong to no scene of the file were left out."}},
+        Case{R"("scenes": [{"nodes": [1]}, {}, {"name": "Parts", "nodes": [2]}, {"nodes": [0]}],)",
+             2,
+             {instead + "\"Parts\" was opened instead.",
+              "An object of another scene of the file was left out."}},
+        Case{R"("scene": 0, "scenes": [{}, 7, {"nodes": [1]}],)",
+             3,
+             {"No object belongs to a scene of the file; all objects were opened."}},
+        Case{R"("scene": 0, "scenes": [{"nodes": [2, 1]}],)",
+             2,
+             {"1 object that belongs to no scene of the file was left out."}}}) {
+    layout.scene = c.scene;
+    const auto read = read_gltf(layout.text());
+    ASSERT_TRUE(read.ok()) << c.scene << to_string(read.error());
+    EXPECT_EQ(read->parts.size(), c.parts) << c.scene;
+    std::vector<std::string> texts;
+    for (const Message& warning : read->warnings) texts.push_back(warning.text);
+    EXPECT_EQ(texts, c.warnings) << c.scene;
+  }
+  layout.nodes = "[{}, {}]";
+  layout.scene = R"("scene": 0, "scenes": [{"nodes": [0]}, {"nodes": [1]}],)";
+  EXPECT_EQ(leftovers_code(read_gltf(layout.text())), "E_EMPTY");
 }
 
 TEST(GltfLeftovers, MeshesOfAFileWithoutNodesAreTaken) {
   GltfLayout layout = gltf_tetrahedron();
   layout.scene.clear();
   layout.nodes = "[]";
-  const auto read = read_gltf(layout.text());
-  ASSERT_TRUE(read.ok()) << to_string(read.error());
+  const auto read = test::must(read_gltf(layout.text()));
   ASSERT_EQ(read->parts.size(), 1U);
   EXPECT_EQ(read->parts[0].name, "mesh");
   EXPECT_NEAR(test::volume_of(read->parts[0].mesh), 1e9 / 6, 1);
@@ -49,8 +78,7 @@ TEST(GltfLeftovers, AccessorsWithoutRowsAreZeros) {
   const std::string moved = with(
       with(with(keyed, "{\"POSITION\": 2}", "{\"POSITION\": 9}"), "{\"POSITION\": 0}", "{\"POSITION\": 1}"),
       "\"indices\": 1", "\"indices\": 2");
-  const auto read = read_gltf(with(moved, "{\"POSITION\": 9}", "{\"POSITION\": 0}"));
-  ASSERT_TRUE(read.ok()) << to_string(read.error());
+  const auto read = test::must(read_gltf(with(moved, "{\"POSITION\": 9}", "{\"POSITION\": 0}")));
   EXPECT_NEAR(test::volume_of(read->parts.at(0).mesh), 1e9 / 6, 1);
   EXPECT_EQ(leftovers_code(read_gltf(with(layout.text(), "{\"bufferView\": 0, ", "{"))), "E_EMPTY");
   EXPECT_EQ(leftovers_code(read_gltf(with(with(layout.text(), "{\"bufferView\": 0, ", "{"), "\"count\": 4",
@@ -70,4 +98,4 @@ TEST(GltfLeftovers, DataInsideMayBeEscaped) {
 }
 
 }  // namespace
-}  // namespace hariko
+}  // namespace hariko::test

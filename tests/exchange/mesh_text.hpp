@@ -26,7 +26,7 @@ inline std::string outcome(const Result<ImportedMesh>& result) {
   return std::string(error.code.name) + " " + std::to_string(has_line ? error.element.id : 0);
 }
 
-/// What every reader promises about a mesh it returns.
+/// Expects what every reader promises about a mesh it returns.
 inline void expect_sound(const PolygonMesh& mesh) {
   ASSERT_FALSE(mesh.face_offsets.empty());
   EXPECT_EQ(mesh.face_offsets.front(), 0U);

@@ -1,8 +1,6 @@
 // Files that something went wrong with: each still loads, or is refused with a reason. No more memory and
 // time than the limits allow: a test that hangs is a failure.
 
-#include <gtest/gtest.h>
-
 #include "core/exchange/archive_3mf/read_3mf.hpp"
 #include "core/exchange/read_patches.hpp"
 #include "tests/exchange/fixture_files.hpp"
@@ -30,9 +28,7 @@ std::vector<std::string> files_of(const std::string& seeds, const std::vector<st
 }
 
 ReadLimits small_limits() {
-  ReadLimits limits;
-  limits.vertices = 20'000;
-  limits.corners = 60'000;
+  ReadLimits limits{.vertices = 20'000, .corners = 60'000};
   return limits;
 }
 

@@ -1,12 +1,11 @@
 #include "core/exchange/number_text.hpp"
 
-#include <gtest/gtest.h>
-
 #include <bit>
 #include <charconv>
 #include <cmath>
 #include <cstdlib>
 #include <limits>
+#include <utility>
 
 #include "tests/support/random.hpp"
 
@@ -42,6 +41,19 @@ TEST(NumberText, EveryDoubleComesBack) {
     ASSERT_EQ(parse_real(text, back), NumberStatus::ok) << text;
     ASSERT_EQ(std::bit_cast<std::uint64_t>(back), std::bit_cast<std::uint64_t>(value)) << text;
   }
+}
+
+TEST(NumberText, ExponentsOfFortran) {
+  double value = 0;
+  const std::pair<const char*, double> cases[] = {
+      {"0.125D+01", 1.25}, {"-1.5d-3", -0.0015}, {"+2D2", 200}, {".5D0", 0.5}, {"1D-400", 0}};
+  for (const auto& [text, expected] : cases) {
+    EXPECT_EQ(parse_real(text, value), NumberStatus::ok) << text;
+    EXPECT_EQ(value, expected) << text;
+  }
+  EXPECT_EQ(parse_real("1D400", value), NumberStatus::too_large);
+  for (const char* text : {"D", "1D", "D5", "1D2D3", "1DD2", "1D2e3", "+-1D2", "++1D2", "0xD"})
+    EXPECT_EQ(parse_real(text, value), NumberStatus::malformed) << text;
 }
 
 TEST(NumberText, RefusedForms) {

@@ -1,24 +1,20 @@
 #include "core/exchange/archive_3mf/read_3mf.hpp"
 
 #include <Model/COM/NMR_DLLInterfaces.h>
-#include <gtest/gtest.h>
 #include <zip.h>
 
 #include <array>
 
+#include "core/exchange/affine_map.hpp"
 #include "core/exchange/mesh_file.hpp"
-#include "core/exchange/placement.hpp"
 #include "core/polyhedron/polyhedron.hpp"
 #include "tests/exchange/fixture_files.hpp"
 #include "tests/exchange/gltf_text.hpp"
 #include "tests/exchange/mesh_text.hpp"
 #include "tests/support/random_polyhedra.hpp"
 
-namespace hariko {
+namespace hariko::test {
 namespace {
-
-using test::for_random;
-using test::with;
 
 constexpr const char* core_space = "http://schemas.microsoft.com/3dmanufacturing/core/2015/02";
 
@@ -74,8 +70,7 @@ TEST(Read3mf, OurOwnFilesComeBackExactlyWhereverTheyAreAndHoweverLarge) {
     constexpr std::array units{0.001, 0.01, 0.0254, 1.0};
     const double metres = units[std::size_t(test::uniform_int(rng, 0, 3))];
     const std::vector<NamedPolygons> named{{"張り子 <\"a\" & b>", &meshes[0]}, {"b", &meshes[1]}};
-    const auto read = read_3mf(*write_3mf(named, metres));
-    ASSERT_TRUE(read.ok()) << to_string(read.error());
+    const auto read = test::must(read_3mf(*write_3mf(named, metres)));
     EXPECT_EQ(read->metres_per_unit, metres);
     EXPECT_TRUE(read->warnings.empty());
     ASSERT_EQ(read->parts.size(), 2U);
@@ -87,7 +82,7 @@ TEST(Read3mf, OurOwnFilesComeBackExactlyWhereverTheyAreAndHoweverLarge) {
   });
 }
 
-/// Of the library, given back at the end.
+/// Handles of the library, released at the end.
 struct Handles {
   ~Handles() {
     for (NMR::PLib3MFBase* handle : all) NMR::lib3mf_release(handle);
@@ -107,7 +102,7 @@ TEST(Read3mf, FilesOfAnotherProgramWithComponentsAreTheSame) {
     for (const Vector3& p : mesh.positions) vertices.push_back({{float(p.x()), float(p.y()), float(p.z())}});
     for (std::size_t f = 0; f < mesh.face_count(); ++f)
       triangles.push_back({{mesh.face(f)[0], mesh.face(f)[1], mesh.face(f)[2]}});
-    const auto transform = [&](Placement& placement) {
+    const auto transform = [&](AffineMap& placement) {
       NMR::MODELTRANSFORM out;
       for (int axis = 0; axis < 3; ++axis) {
         for (int k = 0; k < 3; ++k)
@@ -116,7 +111,7 @@ TEST(Read3mf, FilesOfAnotherProgramWithComponentsAreTheSame) {
       }
       return out;
     };
-    Placement inner, outer;
+    AffineMap inner, outer;
     NMR::MODELTRANSFORM of_component = transform(inner), of_item = transform(outer);
     Handles handles;
     NMR::PLib3MFBase *file = nullptr, *object = nullptr, *group = nullptr, *component = nullptr,
@@ -141,8 +136,7 @@ TEST(Read3mf, FilesOfAnotherProgramWithComponentsAreTheSame) {
     const test::TemporaryFolder folder;
     ASSERT_EQ(NMR::lib3mf_writer_writetofileutf8(writer, (folder.path() / "a.3mf").c_str()), 0);
 
-    const auto read = read_scene_file(folder.path() / "a.3mf");
-    ASSERT_TRUE(read.ok()) << to_string(read.error());
+    const auto read = test::must(read_scene_file(folder.path() / "a.3mf"));
     EXPECT_EQ(read->metres_per_unit, 0.0254);
     ASSERT_EQ(read->parts.size(), 1U);
     EXPECT_EQ(read->parts[0].name, "octahedron");
@@ -158,8 +152,7 @@ TEST(Read3mf, FilesOfAnotherProgramWithComponentsAreTheSame) {
 
 TEST(Read3mf, ExtensionsThatAreNeededAreNamedToTheirEnd) {
   const auto read = read_scene_file(test::case_file("3mf_needs_beamlattice.3mf"));
-  ASSERT_FALSE(read.ok());
-  EXPECT_EQ(read.error().code, e_format_unknown);
+  test::must_fail(read, e_format_unknown);
   EXPECT_NE(read.error().text.find("\"beamlattice\""), std::string::npos) << read.error().text;
   EXPECT_NE(read.error().text.find("3dmanufacturing/beamlattice/2017/02)"), std::string::npos);
 }
@@ -172,8 +165,7 @@ TEST(Read3mf, ItemsAndComponentsPlaceObjects) {
           R"(<component objectid="1" transform="-1 0 0 0 1 0 0 0 1 0 0 0"/></components></object>)" +
           R"(<object id="3" name="unused">)" + tetrahedron + "</object>",
       R"(<item objectid="2" transform="1 0 0 0 1 0 0 0 1 0 0 10"/><item objectid="1"/>)");
-  const auto read = read_3mf_model(text);
-  ASSERT_TRUE(read.ok()) << to_string(read.error());
+  const auto read = test::must(read_3mf_model(text));
   ASSERT_EQ(read->parts.size(), 3U);
   EXPECT_EQ(read->metres_per_unit, 0.001);
   const std::array<std::vector<Vector3>, 3> expected{
@@ -210,6 +202,22 @@ TEST(Read3mf, ObjectsThatNothingPlacesAreTakenWhereNothingIsBuilt) {
   ASSERT_TRUE(read.ok()) << to_string(read.error());
   ASSERT_EQ(read->parts.size(), 1U);
   EXPECT_EQ(read->parts[0].name, "a");
+}
+
+TEST(Read3mf, ObjectsThatTheBuildLeavesOutAreCounted) {
+  const auto object = [](int id) {
+    return "<object id=\"" + std::to_string(id) + "\">" + tetrahedron + "</object>";
+  };
+  const std::string group = "<object id=\"4\"><components><component objectid=\"2\"/></components></object>";
+  const std::string resources = one_object + object(2) + object(3) + group;
+  auto read = test::must(read_3mf_model(model(resources, "<item objectid=\"1\"/>")));
+  ASSERT_EQ(read->warnings.size(), 1U);
+  EXPECT_EQ(read->warnings[0].code, w_left_out);
+  EXPECT_EQ(read->warnings[0].text, "2 objects of the file that its build does not place were left out.");
+  read = read_3mf_model(model(resources, "<item objectid=\"1\"/><item objectid=\"4\"/>"));
+  ASSERT_EQ(read->warnings.size(), 1U);
+  EXPECT_EQ(read->warnings[0].text, "1 object of the file that its build does not place was left out.");
+  EXPECT_TRUE(read_3mf_model(model(resources, ""))->warnings.empty()) << "without a build all are placed";
 }
 
 /// A model with an extension's prefix x that is used and not required.
@@ -272,8 +280,7 @@ TEST(Read3mf, ShapesInExtensionsThatAreNotReadAreToldWithTheirObject) {
                "</object>";
     if (id < 5) items += "<item objectid=\"" + std::to_string(id) + "\"/>";
   }
-  const auto read = read_3mf_model(with_extension("beamlattice/2017/02", objects, items));
-  ASSERT_TRUE(read.ok()) << to_string(read.error());
+  const auto read = test::must(read_3mf_model(with_extension("beamlattice/2017/02", objects, items)));
   ASSERT_EQ(read->warnings.size(), 1U);
   EXPECT_TRUE(read->warnings[0].text.starts_with("3 objects, first \"b2\", were left out: "))
       << read->warnings[0].text;
@@ -412,8 +419,7 @@ TEST(Read3mf, ComponentsEndAndCopiesStayInBounds) {
   const std::string circle = group(1, component(2)) + group(2, component(1));
   EXPECT_EQ(code_of(read_3mf_model(model(circle, "<item objectid=\"1\"/>"))), "E_PARSE 4");
   EXPECT_EQ(code_of(read_3mf_model(model(group(1, component(1)), "<item objectid=\"1\"/>"))), "E_PARSE 3");
-  ReadLimits limits;
-  limits.vertices = 7;
+  ReadLimits limits{.vertices = 7};
   EXPECT_EQ(
       code_of(read_3mf_model(model(one_object, "<item objectid=\"1\"/><item objectid=\"1\"/>"), limits)),
       "E_LIMIT");
@@ -455,4 +461,4 @@ TEST(Read3mf, FilesThatAreCutOffOrChangedAreRefusedOrSound) {
 }
 
 }  // namespace
-}  // namespace hariko
+}  // namespace hariko::test

@@ -1,7 +1,5 @@
 #include "core/exchange/obj/read_obj.hpp"
 
-#include <gtest/gtest.h>
-
 #include <array>
 #include <filesystem>
 
@@ -11,10 +9,8 @@
 #include "tests/exchange/mesh_text.hpp"
 #include "tests/support/places.hpp"
 
-namespace hariko {
+namespace hariko::test {
 namespace {
-
-using test::outcome;
 
 const std::string triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
 
@@ -33,14 +29,12 @@ TEST(ReadObj, EveryFormOfACorner) {
 }
 
 TEST(ReadObj, NegativeIndicesCountFromWhereTheyStand) {
-  const auto result = read_obj(triangle + "f -3 -2 -1\nv 0 0 1\nf -4 -1 -3\n");
-  ASSERT_TRUE(result.ok());
+  const auto result = test::must(read_obj(triangle + "f -3 -2 -1\nv 0 0 1\nf -4 -1 -3\n"));
   EXPECT_EQ(result->mesh.face_vertices, (std::vector<Index>{0, 1, 2, 0, 3, 1}));
 }
 
 TEST(ReadObj, FacesMayComeBeforeTheirVertices) {
-  const auto result = read_obj("f 1 2 3\n" + triangle);
-  ASSERT_TRUE(result.ok());
+  const auto result = test::must(read_obj("f 1 2 3\n" + triangle));
   EXPECT_EQ(result->mesh.face_vertices, (std::vector<Index>{0, 1, 2}));
 }
 
@@ -49,8 +43,7 @@ TEST(ReadObj, LineEndsContinuationCommentsAndByteOrderMark) {
     const std::string text = "\xEF\xBB\xBF# comment \\" + end + "v 0 0 0 # origin" + end + "v 1\t0 \\" + end +
                              " 0" + end + "v 0 1 0" + end + end + "  f 1 2\\" + end + "\\" + end + " 3" +
                              end + "bad";
-    const auto result = read_obj(text);
-    ASSERT_TRUE(result.ok()) << to_string(result.error());
+    const auto result = test::must(read_obj(text));
     EXPECT_EQ(result->mesh.positions.size(), 3U);
     EXPECT_EQ(result->mesh.face_vertices, (std::vector<Index>{0, 1, 2}));
     ASSERT_EQ(result->warnings.size(), 1U);
@@ -75,8 +68,7 @@ TEST(ReadObj, NameIsTheFirstObjectElseTheFirstGroup) {
 }
 
 TEST(ReadObj, NamesInOldEncodingsAreReadAndTold) {
-  const auto western = read_obj(triangle + "o T\xfcr\nf 1 2 3\n");
-  ASSERT_TRUE(western.ok());
+  const auto western = test::must(read_obj(triangle + "o T\xfcr\nf 1 2 3\n"));
   EXPECT_EQ(western->name, "Tür");
   ASSERT_EQ(western->warnings.size(), 1U);
   EXPECT_EQ(western->warnings[0].code, w_name_letters);
@@ -90,9 +82,8 @@ TEST(ReadObj, NamesInOldEncodingsAreReadAndTold) {
 
 TEST(ReadObj, IgnoredStatementsAreSilentAndUnknownOnesGiveOneWarning) {
   const auto result =
-      read_obj("mtllib C:\\a\\b.mtl\n" + triangle +
-               "vt 0 0\nvn 0 0 1\nvp 0\ng a\ns off\nusemtl m\nf 1 2 3\nfoo 1\nbar 2\nfoo 3\n");
-  ASSERT_TRUE(result.ok());
+      test::must(read_obj("mtllib C:\\a\\b.mtl\n" + triangle +
+                          "vt 0 0\nvn 0 0 1\nvp 0\ng a\ns off\nusemtl m\nf 1 2 3\nfoo 1\nbar 2\nfoo 3\n"));
   ASSERT_EQ(result->warnings.size(), 1U);
   EXPECT_EQ(result->warnings[0].code, w_unknown_statement);
   EXPECT_EQ(result->warnings[0].element, (Element{Element::Kind::line, 12}));
@@ -126,6 +117,19 @@ TEST(ReadObj, ObjectsAreApartAndSoAreGroupsThatMeetNowhere) {
   EXPECT_EQ(scene->parts[0].name, "cube");
 }
 
+TEST(ReadObj, MoreObjectsThanCanBeToldApartBecomeOneAndThatIsTold) {
+  for (const std::size_t more : {0U, 1U}) {
+    std::string text = triangle;
+    for (std::size_t k = 0; k < ImportedScene::max_parts + more; ++k) text += "o part\nf 1 2 3\n";
+    const auto scene = test::must(read_obj_scene(text));
+    EXPECT_EQ(scene->parts.size(), more > 0 ? 1U : ImportedScene::max_parts);
+    ASSERT_EQ(scene->warnings.size(), more);
+    if (more == 0) continue;
+    EXPECT_EQ(scene->warnings[0].code, w_objects_joined);
+    EXPECT_EQ(scene->parts[0].mesh.face_count(), ImportedScene::max_parts + 1);
+  }
+}
+
 TEST(ReadObj, CreaseTagsOfOurOwnControlMeshesComeBack) {
   ControlMesh first, second;
   first.mesh = test::octahedron();
@@ -135,8 +139,7 @@ TEST(ReadObj, CreaseTagsOfOurOwnControlMeshesComeBack) {
   const Index a = second.mesh.face(3)[0], b = second.mesh.face(3)[1];
   second.creases = {{a, b, infinitely_sharp}};
   const std::array<NamedControlMesh, 2> named{{{"first", &first}, {"second", &second}}};
-  const auto scene = read_obj_scene(write_control_obj(named));
-  ASSERT_TRUE(scene.ok()) << to_string(scene.error());
+  const auto scene = test::must(read_obj_scene(write_control_obj(named)));
   ASSERT_EQ(scene->parts.size(), 2U);
   using Creases = std::vector<std::array<Index, 2>>;
   EXPECT_EQ(scene->parts[0].creases, (Creases{{0, 2}, {1, 2}}));
@@ -167,8 +170,7 @@ TEST(ReadObj, Utf16IsRead) {
         const char low = char(unit & 0xff), high = char(unit >> 8);
         bytes += big ? std::string{high, low} : std::string{low, high};
       }
-      const auto read = read_obj(bytes);
-      ASSERT_TRUE(read.ok()) << to_string(read.error());
+      const auto read = test::must(read_obj(bytes));
       if (mark) {
         EXPECT_EQ(read->name, read_obj(text)->name);
       }
@@ -190,8 +192,7 @@ TEST(ReadObj, BezierSurfacesAreObjectsOfPatches) {
   for (int k = 1; k <= 28; ++k) numbers += " " + std::to_string(k);
   const std::string text = net(7, 4) + "o sheet\ncstype rat bezier\ndeg 3 3\nsurf 0 2 0 1" + numbers +
                            "\nparm u 0 1 2\nparm v 0 1\nend\n";
-  const auto scene = read_obj_scene(text);
-  ASSERT_TRUE(scene.ok()) << to_string(scene.error());
+  const auto scene = test::must(read_obj_scene(text));
   EXPECT_TRUE(scene->parts.empty());
   ASSERT_EQ(scene->patches.size(), 1U);
   EXPECT_EQ(scene->patches[0].name, "sheet");
@@ -204,8 +205,7 @@ TEST(ReadObj, BezierSurfacesAreObjectsOfPatches) {
   EXPECT_EQ(first.weights[first.index(2, 3)], 1);
   EXPECT_TRUE(read_obj_scene(test::with(text, "rat ", ""))->patches[0].patches[0].weights.empty());
   // Both kinds in one file; and free forms of other kinds.
-  const auto both = read_obj_scene(text + "f 1 2 3\ncstype bspline\nsurf 0 1 0 1 1 2 3\nend\n");
-  ASSERT_TRUE(both.ok()) << to_string(both.error());
+  const auto both = test::must(read_obj_scene(text + "f 1 2 3\ncstype bspline\nsurf 0 1 0 1 1 2 3\nend\n"));
   EXPECT_EQ(both->parts.size(), 1U);
   EXPECT_EQ(both->patches.size(), 1U);
   ASSERT_EQ(both->warnings.size(), 1U);
@@ -261,8 +261,7 @@ TEST(ReadObj, SurfacesEndAtTheirParameterRange) {
     const auto read = [&](const std::string& range) {
       std::string text = bicubic(range, knots);
       if (rational) text = test::with(test::with(text, "bezier", "rat bezier"), "v 1 1 2\n", "v 1 1 2 3\n");
-      auto scene = read_obj_scene(text);
-      EXPECT_TRUE(scene.ok()) << to_string(scene.error());
+      auto scene = test::must(read_obj_scene(text));
       EXPECT_TRUE(scene->warnings.empty());
       return scene->patches.at(0).patches.at(0);
     };
@@ -279,9 +278,8 @@ TEST(ReadObj, SurfacesEndAtTheirParameterRange) {
   // Pieces outside the range are gone.
   std::string numbers;
   for (int k = 1; k <= 28; ++k) numbers += " " + std::to_string(k);
-  const auto second = read_obj_scene(net(7, 4) + "cstype bezier\ndeg 3 3\nsurf 1 2 0 1" + numbers +
-                                     "\nparm u 0 1 2\nparm v 0 1\nend\n");
-  ASSERT_TRUE(second.ok()) << to_string(second.error());
+  const auto second = test::must(read_obj_scene(net(7, 4) + "cstype bezier\ndeg 3 3\nsurf 1 2 0 1" + numbers +
+                                                "\nparm u 0 1 2\nparm v 0 1\nend\n"));
   ASSERT_EQ(second->patches.at(0).patches.size(), 1U);
   EXPECT_EQ(second->patches[0].patches[0].points[0], Vector3(3, 0, 0));
 }
@@ -323,8 +321,7 @@ TEST(ReadObj, FreeFormsThatAreLeftOutAreCounted) {
   for (const char* kind :
        {"cstype bspline\ndeg 3 3\nsurf 0 1 0 1", "cstype cardinal\ndeg 3 3\nsurf 0 1 0 1", "bsp"}) {
     const auto alone = read_obj_scene(points + kind + sixteen);
-    ASSERT_FALSE(alone.ok());
-    EXPECT_EQ(alone.error().code, e_empty);
+    test::must_fail(alone, e_empty);
     EXPECT_NE(alone.error().text.find("A free-form surface that is no Bezier surface"), std::string::npos)
         << alone.error().text;
   }
@@ -412,8 +409,7 @@ TEST(ReadObj, GoldenModels) {
   const std::filesystem::path folder = std::filesystem::path(test::source_folder()) / "tests" / "golden";
   for (const auto& [name, vertices, faces] : {Model{"cube.obj", 8, 6}, Model{"octahedron.obj", 6, 8},
                                               Model{"prism6.obj", 12, 8}, Model{"concave.obj", 16, 10}}) {
-    const auto result = read_mesh_file(folder / name);
-    ASSERT_TRUE(result.ok()) << to_string(result.error());
+    const auto result = test::must(read_mesh_file(folder / name));
     EXPECT_EQ(result->mesh.positions.size(), vertices) << name;
     EXPECT_EQ(result->mesh.face_count(), faces) << name;
   }
@@ -428,8 +424,7 @@ TEST(ReadObj, GoldenModels) {
       faces += text.compare(begin, 2, "f ") == 0;
       if (text.find('\n', begin) == std::string::npos) break;
     }
-    const auto result = read_mesh_file(entry.path());
-    ASSERT_TRUE(result.ok()) << to_string(result.error());
+    const auto result = test::must(read_mesh_file(entry.path()));
     EXPECT_TRUE(result->warnings.empty()) << entry.path();
     EXPECT_EQ(result->mesh.positions.size(), vertices) << entry.path();
     EXPECT_EQ(result->mesh.face_count(), faces) << entry.path();
@@ -447,4 +442,4 @@ TEST(ReadObj, PointsAndLinesAreLeftOutWithACount) {
 }
 
 }  // namespace
-}  // namespace hariko
+}  // namespace hariko::test

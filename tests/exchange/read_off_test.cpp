@@ -1,14 +1,10 @@
 #include "core/exchange/triangles/read_off.hpp"
 
-#include <gtest/gtest.h>
-
 #include "tests/exchange/fixture_files.hpp"
 #include "tests/exchange/mesh_text.hpp"
 
-namespace hariko {
+namespace hariko::test {
 namespace {
-
-using test::outcome;
 
 const std::string three_points = "0 0 0\n1 0 0\n0 1 0\n";
 
@@ -28,8 +24,7 @@ TEST(ReadOff, HeadersOfAllKindsGiveTheSameMesh) {
 }
 
 TEST(ReadOff, CountsMayBeGluedToTheKeyword) {
-  const auto read = read_mesh_file(test::case_file("off_header_glued.off"));
-  ASSERT_TRUE(read.ok()) << to_string(read.error());
+  const auto read = test::must(read_mesh_file(test::case_file("off_header_glued.off")));
   EXPECT_EQ(read->mesh.positions.size(), 8U);
   EXPECT_EQ(read->mesh.face_count(), 6U);
   const std::string rest = " 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
@@ -50,8 +45,7 @@ TEST(ReadOff, ColoursAndNormalsOfVerticesAreIgnored) {
 
 TEST(ReadOff, WordsCountAndNotLines) {
   const std::string lines = "OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 2 3\n";
-  const auto expected = read_off(lines);
-  ASSERT_TRUE(expected.ok());
+  const auto expected = test::must(read_off(lines));
   for (const char* text :
        {"OFF\n4 2 0\n0 0 0 1 0 0\n1 1 0 0 1 0\n3 0 1 2\n3 0 2 3\n",              // two vertices a line
         "OFF\n4 2 0\n0 0 0 1 0 0 1 1 0 0 1 0\n3 0 1 2 3 0 2 3\n",                // as it comes
@@ -72,8 +66,7 @@ TEST(ReadOff, WordsCountAndNotLines) {
 }
 
 TEST(ReadOff, DataAfterTheLastFaceGivesAWarning) {
-  const auto result = read_off("OFF\n3 1 0\n" + three_points + "3 0 1 2\n3 0 1 2\n");
-  ASSERT_TRUE(result.ok());
+  const auto result = test::must(read_off("OFF\n3 1 0\n" + three_points + "3 0 1 2\n3 0 1 2\n"));
   ASSERT_EQ(result->warnings.size(), 1U);
   EXPECT_EQ(result->warnings[0].code, w_trailing_data);
   EXPECT_EQ(result->warnings[0].element.id, 7U);
@@ -135,4 +128,4 @@ TEST(ReadOff, TruncationAtEveryByteIsHandled) {
 }
 
 }  // namespace
-}  // namespace hariko
+}  // namespace hariko::test

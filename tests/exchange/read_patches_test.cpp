@@ -2,8 +2,6 @@
 
 #include "core/exchange/read_patches.hpp"
 
-#include <gtest/gtest.h>
-
 #include "core/exchange/imported_mesh.hpp"
 #include "tests/support/random.hpp"
 
@@ -45,15 +43,13 @@ TEST(ReadPatches, IndexedText) {
   std::string text =
       "2\n1,2,3,4,5,6,7,8,9,10,11,12,13,14,15,16\n1,1,1,1,5,6,7,8,9,10,11,12,13,14,15,16\n16\n";
   for (int i = 0; i < 16; ++i) text += std::to_string(i % 4) + ", " + std::to_string(i / 4) + ",0.5\n";
-  const auto patches = read_bezier_text(text);
-  ASSERT_TRUE(patches.ok()) << to_string(patches.error());
+  const auto patches = test::must(read_bezier_text(text));
   ASSERT_EQ(patches->size(), 2U);
   EXPECT_EQ((*patches)[0].points[6], Vector3(2, 1, 0.5));
   EXPECT_EQ((*patches)[1].points[3], Vector3(0, 0, 0.5));
   text.replace(text.find("16\n1,1"), 2, "17");
   const auto beyond = read_bezier_text(text);
-  ASSERT_FALSE(beyond.ok());
-  EXPECT_EQ(beyond.error().code, e_index_range);
+  test::must_fail(beyond, e_index_range);
   EXPECT_NE(beyond.error().text.find("Line 2"), std::string::npos) << beyond.error().text;
 }
 
@@ -85,9 +81,7 @@ TEST(ReadPatches, WhatIsWrongIsSaid) {
   EXPECT_EQ(code(R"({"a": [{"ctrl": [[[0,0,0],[1,0,0]],[[0,1,0],[1,1,0]]], "weights": [[1,1],[1,-1]]}]})"),
             e_patch_weights);
   EXPECT_EQ(code(R"({"a": [{"ctrl": [[[0,0,0],[1,0,0]],[[0,1,0],[1,1,"x"]]]}]})"), e_parse);
-  const auto text = read_bezier_text("1\n16 1\n");
-  ASSERT_FALSE(text.ok());
-  EXPECT_EQ(text.error().code, e_patch_degree);
+  test::must_fail(read_bezier_text("1\n16 1\n"), e_patch_degree);
 }
 
 TEST(ReadPatches, NoiseNeverCrashes) {

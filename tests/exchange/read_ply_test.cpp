@@ -1,17 +1,13 @@
 #include "core/exchange/triangles/read_ply.hpp"
 
-#include <gtest/gtest.h>
-
 #include <array>
 #include <bit>
 #include <cstring>
 
 #include "tests/exchange/mesh_text.hpp"
 
-namespace hariko {
+namespace hariko::test {
 namespace {
-
-using test::outcome;
 
 const std::string small_header =
     "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
@@ -87,6 +83,17 @@ TEST(ReadPly, UnknownElementsAreSkipped) {
       "1 2 nan 4\r\n1 0\r\n0 255 0 0\r\n1 255 0 0\r\n0 255 1 0\r\n3 0 1 2 6 0 0 1 0 0 1\r\n");
   ASSERT_TRUE(result.ok()) << to_string(result.error());
   EXPECT_EQ(result->mesh.positions[2], Vector3(0, 1, 0));
+  EXPECT_TRUE(result->warnings.empty()) << "a camera has no shape";
+}
+
+TEST(ReadPly, ElementsThatMayHaveAShapeAreCounted) {
+  std::string header = small_header;
+  header.replace(header.find("element face"), 0,
+                 "element edge 2\nproperty int vertex1\nproperty int vertex2\n");
+  const auto result = test::must(read_ply(header + small_points + "0 1\n1 2\n3 0 1 2\n"));
+  ASSERT_EQ(result->warnings.size(), 1U);
+  EXPECT_EQ(result->warnings[0].code.name, std::string("W_LEFT_OUT"));
+  EXPECT_EQ(result->warnings[0].text, "The element \"edge\" with 2 entries is not read and was left out.");
 }
 
 TEST(ReadPly, StripsAreTrianglesInTurnAndBeginAgainAfterMinusOne) {
@@ -107,11 +114,9 @@ TEST(ReadPly, StripsAreTrianglesInTurnAndBeginAgainAfterMinusOne) {
       for (const double x : p) bytes.put("float", x);
     bytes.put("int", double(strip.size()));
     for (const int v : strip) bytes.put("int", v);
-    const auto read = read_ply(std::string("ply\nformat binary_") + (big ? "big" : "little") +
-                               "_endian 1.0\n" + head + bytes.out);
-    ASSERT_TRUE(read.ok()) << to_string(read.error());
-    const auto same = read_ply(text);
-    ASSERT_TRUE(same.ok()) << to_string(same.error());
+    const auto read = test::must(read_ply(std::string("ply\nformat binary_") + (big ? "big" : "little") +
+                                          "_endian 1.0\n" + head + bytes.out));
+    const auto same = test::must(read_ply(text));
     test::expect_same(read->mesh, same->mesh);
     // All three look up; what has no area only turns the strip.
     const std::vector<Index> expected{0, 1, 2, 2, 1, 3, 2, 3, 4};
@@ -181,7 +186,7 @@ TEST(ReadPly, EveryMalformedTextRowHasItsCodeAndLine) {
       {"0 0 0\n1 0\n0 1 0\n3 0 1 2\n", "E_PARSE 11"},
       {"0 0 0\n1 0 0 5\n0 1 0\n3 0 1 2\n", "E_PARSE 11"},
       {"0 0 0\n1 x 0\n0 1 0\n3 0 1 2\n", "E_PARSE 11"},
-      {"0 0 0\n1 inf 0\n0 1 0\n3 0 1 2\n", "E_PARSE 11"},
+      {"0 0 0\n1 inf 0\n0 1 0\n3 0 1 2\n", "E_EMPTY 0"},
       {"0 0 0\n1 0 0\n", "E_TRUNCATED 12"},
       {"0 0 0\n1 0 0\n0 1", "E_TRUNCATED 12"},
       {small_points, "E_TRUNCATED 13"},
@@ -238,13 +243,37 @@ TEST(ReadPly, EveryMalformedBinaryFileHasItsCode) {
   EXPECT_EQ(outcome(read_ply(binary_header("3", "9223372036854775807") + binary_points())), "E_LIMIT 7");
   std::string not_finite = good + integers({3, 0, 1, 2});
   not_finite.replace(not_finite.find("end_header\n") + 11 + 4, 4, std::string("\0\0\xc0\x7f", 4));
-  const auto result = read_ply(not_finite);
-  EXPECT_EQ(outcome(result), "E_PARSE 0");
-  EXPECT_NE(result.error().text.find("Byte "), std::string::npos);
-  EXPECT_NE(result.error().text.find("vertex 0"), std::string::npos);
-  const auto longer = read_ply(good + integers({3, 0, 1, 2, 9}));
-  ASSERT_TRUE(longer.ok());
+  EXPECT_EQ(outcome(read_ply(not_finite)), "E_EMPTY 0");
+  const auto longer = test::must(read_ply(good + integers({3, 0, 1, 2, 9})));
   EXPECT_EQ(longer->warnings.at(0).code, w_trailing_data);
+}
+
+TEST(ReadPly, PlacesThatAScanDoesNotSeeAreDroppedWithTheirFaces) {
+  const std::string header =
+      "element vertex 5\nproperty float x\nproperty float y\nproperty float z\n"
+      "element face 3\nproperty list int int vertex_indices\nend_header\n";
+  Bytes bytes;
+  for (const double value : {0., 0., 0., std::nan(""), 0., 0., 1., 0., 0., 0., 1., 0., 0., std::nan(""), 1.})
+    bytes.put("float", value);
+  for (const std::string& data :
+       {"ply\nformat binary_little_endian 1.0\n" + header + bytes.out +
+            integers({3, 0, 2, 3, 3, 1, 2, 3, 3, 4, 0, 2}),
+        "ply\nformat ascii 1.0\n" + header +
+            "0 0 0\nnan 0 0\n1 0 0\n0 1 0\n0 -inf 1\n3 0 2 3\n3 1 2 3\n3 4 0 2\n"}) {
+    const auto read = test::must(read_ply(data));
+    test::expect_sound(read->mesh);
+    EXPECT_EQ(read->mesh.positions.size(), 3U);
+    EXPECT_EQ(read->mesh.face_vertices, (std::vector<Index>{0, 1, 2}));
+    ASSERT_EQ(read->warnings.size(), 1U);
+    EXPECT_EQ(read->warnings[0].text, "2 faces with coordinates that are not finite were left out.");
+  }
+  // Such places without faces are not worth a word.
+  std::string unused = small_header + small_points + "3 0 1 2\n";
+  unused.replace(unused.find("vertex 3"), 8, "vertex 4");
+  unused.replace(unused.find("3 0 1 2"), 0, "nan nan nan\n");
+  const auto read = test::must(read_ply(unused));
+  EXPECT_EQ(read->mesh.positions.size(), 3U);
+  EXPECT_TRUE(read->warnings.empty());
 }
 
 TEST(ReadPly, HugeCountsOfSkippedElementsTakeNoTime) {
@@ -272,4 +301,4 @@ TEST(ReadPly, TruncationAtEveryByteIsHandled) {
 }
 
 }  // namespace
-}  // namespace hariko
+}  // namespace hariko::test

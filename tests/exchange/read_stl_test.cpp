@@ -1,17 +1,13 @@
 #include "core/exchange/triangles/read_stl.hpp"
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <cstring>
 
 #include "core/exchange/repair/point_welder.hpp"
 #include "tests/exchange/mesh_text.hpp"
 
-namespace hariko {
+namespace hariko::test {
 namespace {
-
-using test::outcome;
 
 std::string facet(const std::string& a, const std::string& b, const std::string& c) {
   return " facet normal 0 0 1\n  outer loop\n   vertex " + a + "\n   vertex " + b + "\n   vertex " + c +
@@ -44,8 +40,7 @@ TEST(ReadStl, TextAndBinaryAreWelded) {
        {"solid two parts\n" + two_facets + "endsolid two parts\n", "SOLID\r\n" + two_facets + "EndSolid",
         two_binary_facets("something"), two_binary_facets("solid but binary"),
         two_binary_facets("solid facet normal 0 0 0 outer loop\n")}) {
-    const auto result = read_stl(bytes);
-    ASSERT_TRUE(result.ok()) << to_string(result.error());
+    const auto result = test::must(read_stl(bytes));
     test::expect_sound(result->mesh);
     EXPECT_EQ(result->mesh.positions, (std::vector<Vector3>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}}));
     EXPECT_EQ(result->mesh.face_vertices, (std::vector<Index>{0, 1, 2, 1, 3, 2}));
@@ -57,16 +52,14 @@ TEST(ReadStl, NameSeveralSolidsAndNormalsThatAreNotNumbers) {
   std::string text = "solid first part \n" + facet("0 0 0", "1 0 0", "0 1 0") +
                      "endsolid first part\n\nsolid\n" + facet("0 0 0", "0 1 0", "0 0 1") + "endsolid\n";
   text.replace(text.find("0 0 1"), 5, "-nan(ind) nan nan");
-  const auto result = read_stl(text);
-  ASSERT_TRUE(result.ok()) << to_string(result.error());
+  const auto result = test::must(read_stl(text));
   EXPECT_EQ(result->name, "first part");
   EXPECT_EQ(result->mesh.face_count(), 2U);
 }
 
 TEST(ReadStl, DegenerateTrianglesAreLeftOutWithOneWarning) {
-  const auto result = read_stl("solid\n" + two_facets + facet("0 0 0", "0 0 0", "1 0 0") +
-                               facet("0 0 0", "1 0 0", "-0 0 0") + "endsolid\n");
-  ASSERT_TRUE(result.ok());
+  const auto result = test::must(read_stl("solid\n" + two_facets + facet("0 0 0", "0 0 0", "1 0 0") +
+                                          facet("0 0 0", "1 0 0", "-0 0 0") + "endsolid\n"));
   EXPECT_EQ(result->mesh.face_count(), 2U);
   ASSERT_EQ(result->warnings.size(), 1U);
   EXPECT_EQ(result->warnings[0].code, w_degenerate_triangles);
@@ -92,7 +85,7 @@ TEST(ReadStl, EveryMalformedTextHasItsCodeAndLine) {
       {broken("loop", "hoop"), "E_PARSE 3"},
       {broken("vertex 1 0 0", "vertex 1 0"), "E_PARSE 5"},
       {broken("vertex 1 0 0", "vertex 1 0,5 0"), "E_PARSE 5"},
-      {broken("vertex 1 0 0", "vertex nan 0 0"), "E_PARSE 5"},
+      {broken("vertex 1 0 0", "vertex nan 0 0"), "E_EMPTY 0"},
       {broken("vertex 1 0 0", "vertex 1e400 0 0"), "E_PARSE 5"},
       {broken("   vertex 1 0 0\n", ""), "E_PARSE 6"},
       {broken("  endloop", "   vertex 1 1 1\n  endloop"), "E_PARSE 7"},
@@ -111,22 +104,36 @@ TEST(ReadStl, EveryMalformedBinaryFileHasItsCode) {
   EXPECT_EQ(outcome(read_stl(two_binary_facets("solid", 0xfffffffeU))), "E_TRUNCATED 0");
   EXPECT_EQ(
       outcome(read_stl(binary("x", 1, {0, 0, 0, 1, 0, 0, 0, std::numeric_limits<float>::quiet_NaN(), 0}))),
-      "E_PARSE 0");
+      "E_EMPTY 0");
   EXPECT_EQ(
       outcome(read_stl(binary("x", 1, {0, 0, 0, 1, 0, 0, 0, std::numeric_limits<float>::infinity(), 0}))),
-      "E_PARSE 0");
+      "E_EMPTY 0");
   EXPECT_EQ(outcome(read_stl(good, {.vertices = 3, .corners = 100})), "E_LIMIT 0");
   EXPECT_EQ(outcome(read_stl(good, {.vertices = 9, .corners = 5})), "E_LIMIT 0");
-  const auto longer = read_stl(good + "tail");
-  ASSERT_TRUE(longer.ok());
+  const auto longer = test::must(read_stl(good + "tail"));
   EXPECT_EQ(longer->warnings.at(0).code, w_trailing_data);
+}
+
+TEST(ReadStl, TrianglesThatAreNotFiniteAreLeftOutAndCounted) {
+  const float none = std::numeric_limits<float>::quiet_NaN();
+  // The second triangle shares two corners with its neighbours.
+  for (const std::string& bytes :
+       {binary("x", 3, {0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 0, 0, none, 1, 0, 0, 1, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0}),
+        "solid s\n" + facet("0 0 0", "1 0 0", "0 1 0") + facet("1 0 0", "NaN 1 0", "0 1 0") +
+            facet("1 0 0", "1 1 0", "0 1 0") + "endsolid s\n"}) {
+    const auto read = test::must(read_stl(bytes));
+    test::expect_sound(read->mesh);
+    EXPECT_EQ(read->mesh.positions.size(), 4U);
+    EXPECT_EQ(read->mesh.face_vertices, (std::vector<Index>{0, 1, 2, 1, 3, 2}));
+    ASSERT_EQ(read->warnings.size(), 1U);
+    EXPECT_EQ(read->warnings[0].text, "1 face with a coordinate that is not finite was left out.");
+  }
 }
 
 TEST(ReadStl, ACountThatIsLeftOutIsTheFilesOwn) {
   for (const std::uint32_t count : {0U, 0xffffffffU})
     for (const char* header : {"x", "solid"}) {
-      const auto read = read_stl(two_binary_facets(header, count) + "tail");
-      ASSERT_TRUE(read.ok()) << to_string(read.error());
+      const auto read = test::must(read_stl(two_binary_facets(header, count) + "tail"));
       EXPECT_EQ(read->mesh.face_count(), 2U);
       ASSERT_EQ(read->warnings.size(), 2U);
       EXPECT_EQ(read->warnings[0].code, w_count_missing);
@@ -135,8 +142,7 @@ TEST(ReadStl, ACountThatIsLeftOutIsTheFilesOwn) {
 }
 
 TEST(ReadStl, TextWithoutItsEndIsReadWithAWarning) {
-  const auto read = read_stl("solid s\n" + two_facets);
-  ASSERT_TRUE(read.ok()) << to_string(read.error());
+  const auto read = test::must(read_stl("solid s\n" + two_facets));
   EXPECT_EQ(read->mesh.face_count(), 2U);
   ASSERT_EQ(read->warnings.size(), 1U);
   EXPECT_EQ(read->warnings[0].code, w_end_missing);
@@ -153,8 +159,7 @@ TEST(ReadStl, EachSolidIsAPartWithItsName) {
        {"solid left side\n" + left + "endsolid left side\nsolid empty\nendsolid\nsolid right\n" + right +
             "endsolid\n",
         "solid left side\n" + left + "solid right\n" + right + "endsolid right\n"}) {
-    const auto scene = read_stl_scene(text);
-    ASSERT_TRUE(scene.ok()) << to_string(scene.error());
+    const auto scene = test::must(read_stl_scene(text));
     ASSERT_EQ(scene->parts.size(), 2U);
     EXPECT_EQ(scene->parts[0].name, "left side");
     EXPECT_EQ(scene->parts[1].name, "right");
@@ -167,6 +172,17 @@ TEST(ReadStl, EachSolidIsAPartWithItsName) {
   EXPECT_EQ(outcome(read_stl("solid\n" + left + "endsolid\nsolid\n" + right + "endsolid\n",
                              {.vertices = 99, .corners = 5})),
             "E_LIMIT 15");
+}
+
+TEST(ReadStl, MoreSolidsThanCanBeToldApartBecomeOneAndThatIsTold) {
+  std::string text;
+  for (std::size_t k = 0; k <= ImportedScene::max_parts; ++k)
+    text += "solid part\n" + facet("0 0 0", "1 0 0", "0 1 0") + "endsolid part\n";
+  const auto scene = test::must(read_stl_scene(text));
+  ASSERT_EQ(scene->parts.size(), 1U);
+  EXPECT_EQ(scene->parts[0].mesh.face_count(), ImportedScene::max_parts + 1);
+  ASSERT_EQ(scene->warnings.size(), 1U);
+  EXPECT_EQ(scene->warnings[0].code, w_objects_joined);
 }
 
 TEST(ReadStl, BlanksAndLineEndsAreAlike) {
@@ -222,4 +238,4 @@ TEST(PointWelder, AgreesWithASearchOfAllPoints) {
 }
 
 }  // namespace
-}  // namespace hariko
+}  // namespace hariko::test

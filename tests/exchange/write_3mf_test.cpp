@@ -1,7 +1,5 @@
 // 3MF files, as lib3mf reads them: an independent reader, and a strict one.
 
-#include <gtest/gtest.h>
-
 #include "core/exchange/write_mesh.hpp"
 #include "tests/exchange/lib3mf_reader.hpp"
 #include "tests/exchange/mesh_text.hpp"
@@ -44,8 +42,7 @@ TEST(Write3mf, AnotherReaderFindsTheSame) {
     TriangleMesh second = torus();
     second.triangles.pop_back();  // a hole
     const std::vector<NamedTriangles> named{{"張り子 <\"a\" & b>", &first, {255, 0, 128}}, {"b", &second}};
-    const auto bytes = write_3mf(named, 0.0254);
-    ASSERT_TRUE(bytes.ok()) << to_string(bytes.error());
+    const auto bytes = test::must(write_3mf(named, 0.0254));
     EXPECT_EQ(*write_3mf(named, 0.0254), *bytes);
     const FoundFile found = read_by_lib3mf(*bytes);
     EXPECT_EQ(found.unit, DWORD(NMR::MODELUNIT_INCH));

@@ -1,7 +1,5 @@
 // glTF files, as assimp reads them: an independent reader.
 
-#include <gtest/gtest.h>
-
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 #include <assimp/Importer.hpp>
@@ -21,7 +19,7 @@ namespace {
 
 using test::for_random;
 
-/// What a file holds: absolute positions in metres, y up.
+/// Contents of a file: absolute positions in metres, y up.
 struct Found {
   std::string name;
   std::vector<Vector3> positions, normals;
@@ -104,8 +102,7 @@ TEST(WriteGltf, AnotherReaderFindsTheSameInMetresAndYUp) {
   for_random(31, 20, [](std::mt19937_64& rng) {
     const TriangleMesh first = faceted(rng), second = faceted(rng);
     const std::vector<NamedTriangles> named{{"張り子 \"a\"", &first, {255, 0, 128}}, {"b", &second}};
-    const auto bytes = write_gltf(named, 0.0254);
-    ASSERT_TRUE(bytes.ok()) << to_string(bytes.error());
+    const auto bytes = test::must(write_gltf(named, 0.0254));
     const auto found = read_by_assimp(*bytes);
     ASSERT_EQ(found.size(), 2u);
     EXPECT_EQ(found[0].name, named[0].name);
@@ -132,8 +129,7 @@ TEST(WriteGltf, AnotherReaderFindsTheSameInMetresAndYUp) {
 TEST(WriteGltf, PolygonsAreTriangulated) {
   const PolygonMesh cube = test::cube();
   const std::vector<NamedPolygons> named{{"cube", &cube}};
-  const auto bytes = write_gltf(named, 1);
-  ASSERT_TRUE(bytes.ok());
+  const auto bytes = test::must(write_gltf(named, 1));
   const auto found = read_by_assimp(*bytes);
   ASSERT_EQ(found.size(), 1u);
   EXPECT_EQ(found[0].triangles.size(), 12u);
@@ -167,8 +163,7 @@ TEST(WriteOff, ComesBackExactly) {
   for_random(32, 20, [](std::mt19937_64& rng) {
     const PolygonMesh mesh = test::torus(test::uniform_int(rng, 3, 8), test::uniform_int(rng, 3, 8));
     const std::vector<NamedPolygons> named{{"a", &mesh}};
-    const auto back = read_off(write_off(named));
-    ASSERT_TRUE(back.ok()) << to_string(back.error());
+    const auto back = test::must(read_off(write_off(named)));
     test::expect_same(back->mesh, mesh);
   });
 }

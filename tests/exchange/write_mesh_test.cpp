@@ -1,7 +1,5 @@
 #include "core/exchange/write_mesh.hpp"
 
-#include <gtest/gtest.h>
-
 #include <Eigen/Geometry>
 #include <charconv>
 #include <clocale>
@@ -21,10 +19,8 @@
 #include "tests/exchange/mesh_text.hpp"
 #include "tests/support/places.hpp"
 
-namespace hariko {
+namespace hariko::test {
 namespace {
-
-using test::for_random;
 
 /// Random triangles over random positions, far from zero at times, with fewer or more normals than positions.
 TriangleMesh random_triangles(std::mt19937_64& rng, bool with_normals) {
@@ -61,14 +57,12 @@ TEST(WriteMesh, PolygonsComeBackBitForBit) {
   for_random(100, 60, [](std::mt19937_64& rng) {
     const PolygonMesh mesh = test::random_polygons(rng, test::chance(rng, 0.2));
     const NamedPolygons named[] = {{"Körper 1", &mesh}};
-    const auto obj = read_obj(write_obj(named));
-    ASSERT_TRUE(obj.ok()) << to_string(obj.error());
+    const auto obj = test::must(read_obj(write_obj(named)));
     test::expect_same(obj->mesh, mesh);
     EXPECT_EQ(obj->name, "Körper 1");
     EXPECT_TRUE(obj->warnings.empty());
     for (const MeshEncoding encoding : {MeshEncoding::ascii, MeshEncoding::binary}) {
-      const auto ply = read_ply(write_ply(named, encoding));
-      ASSERT_TRUE(ply.ok()) << to_string(ply.error());
+      const auto ply = test::must(read_ply(write_ply(named, encoding)));
       test::expect_same(ply->mesh, mesh);
       EXPECT_TRUE(ply->warnings.empty());
     }
@@ -81,12 +75,10 @@ TEST(WriteMesh, TrianglesComeBackInEveryFormat) {
     const TriangleMesh mesh = random_triangles(rng, with_normals);
     const NamedTriangles named[] = {{"a", &mesh}};
     const std::vector<Vector3> expected = corners_of(mesh);
-    const auto obj = read_obj(write_obj(named));
-    ASSERT_TRUE(obj.ok()) << to_string(obj.error());
+    const auto obj = test::must(read_obj(write_obj(named)));
     EXPECT_EQ(corners_of(obj->mesh), expected);
     for (const MeshEncoding encoding : {MeshEncoding::ascii, MeshEncoding::binary}) {
-      const auto ply = read_ply(write_ply(named, encoding));
-      ASSERT_TRUE(ply.ok()) << to_string(ply.error());
+      const auto ply = test::must(read_ply(write_ply(named, encoding)));
       EXPECT_EQ(corners_of(ply->mesh), expected);
     }
     const std::string stl = write_stl(named).value();
@@ -118,8 +110,7 @@ PolygonMesh tetrahedra(std::mt19937_64& rng, double scale) {
 TEST(WriteMesh, StlStaysClosedAndComesBackThroughTextToo) {
   for_random(300, 20, [](std::mt19937_64& rng) {
     const PolygonMesh mesh = tetrahedra(rng, std::pow(10.0, test::uniform(rng, -9, 9)));
-    const auto result = read_stl(write_stl(std::vector<NamedPolygons>{{"t", &mesh}}).value());
-    ASSERT_TRUE(result.ok()) << to_string(result.error());
+    const auto result = test::must(read_stl(write_stl(std::vector<NamedPolygons>{{"t", &mesh}}).value()));
     ASSERT_EQ(result->mesh.positions.size(), mesh.positions.size());
     ASSERT_EQ(result->mesh.face_count(), mesh.face_count());
     std::map<std::pair<Index, Index>, int> uses;
@@ -140,8 +131,7 @@ TEST(WriteMesh, StlStaysClosedAndComesBackThroughTextToo) {
       text += line;
       if (++corner % 3 == 0) text += "endloop\nendfacet\n";
     }
-    const auto again = read_stl(text + "endsolid t\n");
-    ASSERT_TRUE(again.ok()) << to_string(again.error());
+    const auto again = test::must(read_stl(text + "endsolid t\n"));
     EXPECT_EQ(again->mesh.face_vertices, result->mesh.face_vertices);
     for (std::size_t v = 0; v < again->mesh.positions.size(); ++v)
       EXPECT_EQ(again->mesh.positions[v].cast<float>(), result->mesh.positions[v].cast<float>());
@@ -179,7 +169,7 @@ TEST(WriteMesh, ExactTexts) {
             "endloop\nendfacet\nendsolid one?two\n");
 }
 
-/// What follows this in lines that begin with it.
+/// Rest of each line that begins with `beginning`.
 std::vector<std::string> texts_after(const std::string& text, std::string_view beginning) {
   std::vector<std::string> out;
   std::istringstream lines(text);
@@ -408,8 +398,7 @@ TEST(MeshFile, FormatsAreToldByExtensionOrContent) {
     const std::string bytes = test::slurp(folder.path() / name);
     for (const std::string& copy : {std::string(name), std::string("none"), std::string("odd.xyz")}) {
       test::spill(folder.path() / copy, bytes);
-      const auto result = read_mesh_file(folder.path() / copy);
-      ASSERT_TRUE(result.ok()) << to_string(result.error());
+      const auto result = test::must(read_mesh_file(folder.path() / copy));
       EXPECT_EQ(result->mesh.face_count(), mesh.face_count());
     }
   }
@@ -450,8 +439,7 @@ TEST(MeshFile, ErrorsNameTheFile) {
   const auto expect_error = [&](const char* name, const std::string& bytes, Code code) {
     test::spill(folder.path() / name, bytes);
     const auto result = read_mesh_file(folder.path() / name);
-    ASSERT_FALSE(result.ok());
-    EXPECT_EQ(result.error().code, code);
+    test::must_fail(result, code);
     EXPECT_TRUE(result.error().text.starts_with("\"" + (folder.path() / name).native() + "\": "))
         << result.error().text;
   };
@@ -495,4 +483,4 @@ TEST(MeshFile, FixturesAreReadOrRefused) {
 }
 
 }  // namespace
-}  // namespace hariko
+}  // namespace hariko::test

@@ -6,7 +6,6 @@
 #include <functional>
 #include <memory>
 
-#include "app/files/control_mesh_file.hpp"
 #include "app/files/export_cad.hpp"
 #include "app/files/export_surfaces.hpp"
 #include "app/files/sheet_file.hpp"
@@ -57,10 +56,8 @@ std::vector<Kind> kinds() {
                      }});
   const auto skin = std::make_shared<const Document>(sample("skin_smooth"));
   out.push_back({" control.obj", [=](const fs::path& path) { return export_control_meshes(*skin, path); }});
-  PaperSettings settings;
-  settings.scale = 30;
-  const auto paper = unfold(shared_graph(icosphere(0)), settings, {.steps = 10});
-  EXPECT_TRUE(paper.ok());
+  PaperSettings settings{.scale = 30};
+  const auto paper = must(unfold(shared_graph(icosphere(0)), settings, {.steps = 10}));
   const auto drawing = std::make_shared<const SheetDrawing>(draw_sheets(*paper));
   for (const char* ending : {".pdf", ".svg", ".dxf", ".json", " pages.png"})
     out.push_back({ending, [=](const fs::path& path) { return write_sheet_file(path, *drawing); }});

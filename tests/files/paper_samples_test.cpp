@@ -32,8 +32,7 @@ ModelFacets facets_of(const Document& document, double factor) {
   const auto objects = unfoldable_objects(document);
   FacetOptions options;
   options.distance = factor * proposed_distance(document, objects);
-  auto facets = document_facets(document, objects, options);
-  EXPECT_TRUE(facets.ok()) << (facets.ok() ? "" : facets.error().text);
+  auto facets = must(document_facets(document, objects, options));
   EXPECT_EQ(facets->names.size(), facets->mesh.positions.size());
   auto names = facets->names;
   std::sort(names.begin(), names.end());
@@ -68,15 +67,13 @@ TEST(Samples, AreUnfoldedWithoutOverlaps) {
 
 /// A patch of this sample turns back: halves of its diagonal are longer than the diagonal.
 TEST(Samples, ASurfaceThatTurnsBackNeedsFewFacets) {
-  const auto document = load_document(test::source_folder() + "/assets/samples/solids_ten.hariko");
-  ASSERT_TRUE(document.ok());
+  const auto document = must(load_document(test::source_folder() + "/assets/samples/solids_ten.hariko"));
   EXPECT_LT(facets_of(*document, 4).mesh.face_count(), 2000U);
 }
 
 /// A dented sample: what is left of the mesh keeps its folds and most of its places.
 TEST(Samples, AMovedVertexKeepsMostCuts) {
-  const auto document = load_document(test::source_folder() + "/assets/samples/fig2.hariko");
-  ASSERT_TRUE(document.ok());
+  const auto document = must(load_document(test::source_folder() + "/assets/samples/fig2.hariko"));
   const ModelFacets facets = facets_of(*document, 4);
   const Unfolding model = unfolded(facets, 500);
   const PaperModel kept = kept_of(model, facets.names, PaperModel{});
@@ -90,8 +87,7 @@ TEST(Samples, AMovedVertexKeepsMostCuts) {
   moved.objects.front() = std::make_shared<const Object>(object);
   const ModelFacets after = facets_of(moved, 4);
   const auto graph = shared_graph(after.mesh);
-  const auto back = restored(kept, graph, after.names);
-  ASSERT_TRUE(back.ok());
+  const auto back = must(restored(kept, graph, after.names));
   check_shape(after.mesh, checked_layout(*back));
   // Edges by the names of their ends.
   const auto name_of = [](const ModelFacets& of, const FacetEdge& edge) {

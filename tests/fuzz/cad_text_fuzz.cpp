@@ -17,7 +17,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const auto iges = check_iges_text(text);
   if (iges.ok()) fuzz::require(iges->end <= text.size(), "a file ends in its text");
   if (check_step_text(text).ok()) {
-    // What stands behind the end mark does not matter, and without the mark the file is not whole.
+    // Bytes behind the end mark do not matter, and without the mark the file is not whole.
     fuzz::require(check_step_text(std::string(text) + "(").ok(), "a whole file stays whole");
     const std::size_t mark = text.rfind("END-ISO-10303-21");
     fuzz::require(mark != std::string_view::npos, "a whole file has its end mark");

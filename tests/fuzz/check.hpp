@@ -1,6 +1,6 @@
 #pragma once
 
-// What every reader promises, whatever the bytes: checked by aborting, which libFuzzer reports.
+// Promises of every reader, whatever the bytes: checked by aborting, which libFuzzer reports.
 
 #include <cstdint>
 #include <cstdio>

@@ -1,6 +1,6 @@
 #pragma once
 
-// What readers of formats with several objects promise.
+// Promises of readers of formats with several objects.
 
 #include "core/exchange/imported_scene.hpp"
 #include "tests/fuzz/check.hpp"
@@ -9,9 +9,7 @@ namespace hariko::fuzz {
 
 /// So that copies of one mesh end before they take long.
 inline ReadLimits small_limits() {
-  ReadLimits limits;
-  limits.vertices = 20'000;
-  limits.corners = 60'000;
+  ReadLimits limits{.vertices = 20'000, .corners = 60'000};
   return limits;
 }
 

@@ -6,7 +6,7 @@
 
 #include "core/base/text/sanitized_utf8.hpp"
 
-/// What reads is written, and that reads as an equal document with the same text; what does not, says why.
+/// Documents that read are written, and read again as equal ones with the same text; others say why.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace hariko;
   const auto require = [](bool condition, const char* what) {

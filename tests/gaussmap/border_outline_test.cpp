@@ -1,24 +1,19 @@
 #include "core/gaussmap/outlines/border_outline.hpp"
 
-#include <gtest/gtest.h>
-
 #include "core/gaussmap/outline_polyhedron.hpp"
 #include "core/gaussmap/outlines/resample_loop.hpp"
-#include "core/gaussmap/sphere/spherical_delaunay.hpp"
 #include "core/geometry/angles.hpp"
 #include "core/patching/polyhedron_surface.hpp"
 #include "core/surface/bicubic_patch.hpp"
 #include "tests/gaussmap/truths.hpp"
+#include "tests/support/must.hpp"
 
-namespace hariko {
+namespace hariko::test {
 namespace {
-
-using namespace test;
 
 /// The surface over the control points of an outline.
 Surface surface_over(const Outline& outline, Mode mode) {
-  GaussOptions options;
-  options.mode = GaussMode::umbilic;
+  GaussOptions options = in_mode(GaussMode::umbilic);
   const auto points = control_points(outline, options);
   HARIKO_ASSERT(points.ok(), "a good outline");
   const auto made = outline_polyhedron(*points);
@@ -30,8 +25,7 @@ Surface surface_over(const Outline& outline, Mode mode) {
 TEST(BorderOutline, OfACapIsTheOutlineItWasMadeFrom) {
   const GroundTruth cap = sphere_cap(24);
   for (const Mode mode : {Mode::fair, Mode::g2}) {
-    const auto made = border_outline(surface_over(cap.outline, mode), BorderSide::same, 48);
-    ASSERT_TRUE(made.ok()) << to_string(made.error());
+    const auto made = must(border_outline(surface_over(cap.outline, mode), BorderSide::same, 48));
     ASSERT_EQ(made->loops.size(), 1u);
     const OutlineLoop& loop = made->loops[0];
     ASSERT_EQ(loop.points.size(), 48u);
@@ -50,25 +44,21 @@ TEST(BorderOutline, OfACapIsTheOutlineItWasMadeFrom) {
       EXPECT_NEAR(loop.points[i].norm(), 2, 2e-3);
       EXPECT_LE(angle_between(loop.normals[i], loop.points[i]), 0.06);
     }
-    const auto beyond = border_outline(surface_over(cap.outline, mode), BorderSide::beyond, 48);
-    ASSERT_TRUE(beyond.ok());
+    const auto beyond = must(border_outline(surface_over(cap.outline, mode), BorderSide::beyond, 48));
     EXPECT_EQ(beyond->loops[0], reversed(loop));
   }
 }
 
 TEST(BorderOutline, OfABandHasTwoLoopsAndClosesItsHole) {
   const Surface band = surface_over(sphere_band(32).outline, Mode::g2);
-  const auto made = border_outline(band, BorderSide::beyond, 32);
-  ASSERT_TRUE(made.ok()) << to_string(made.error());
+  const auto made = must(border_outline(band, BorderSide::beyond, 32));
   ASSERT_EQ(made->loops.size(), 2u);
   // The upper loop alone: the rest of the sphere.
   const std::size_t upper = made->loops[0].points[0].z() > 0 ? 0 : 1;
   Outline hole{{made->loops[upper]}};
   hole.loops[0].curvature.clear();
-  GaussOptions options;
-  options.mode = GaussMode::umbilic;
-  const auto points = control_points(hole, options);
-  ASSERT_TRUE(points.ok()) << to_string(points.error());
+  GaussOptions options = in_mode(GaussMode::umbilic);
+  const auto points = must(control_points(hole, options));
   EXPECT_GT(points->points.size(), points->boundary_count);
   for (const Vector3& point : points->points) EXPECT_NEAR(point.norm(), 1, 5e-3);
 }
@@ -78,15 +68,13 @@ TEST(BorderOutline, HolesOfSpheresAreFilledByDomes) {
                                     {sphere_band(40), Mode::g2},
                                     {three_holes(Vector3::Ones(), 14, "three holes"), Mode::fair}}) {
     SCOPED_TRACE(truth.name);
-    const auto made = border_outline(surface_over(truth.outline, mode), BorderSide::beyond);
-    ASSERT_TRUE(made.ok()) << to_string(made.error());
+    const auto made = must(border_outline(surface_over(truth.outline, mode), BorderSide::beyond));
     int inside = 0;
     for (const OutlineLoop& loop : made->loops) {
       const BorderFill fill = border_fill(loop);
       EXPECT_EQ(fill.settings.mode, GaussMode::umbilic);
       EXPECT_EQ(curvature_sign(fill.outline, fill.settings.sign), CurvatureSign::positive);
-      const auto points = control_points(fill.outline, gauss_options(fill.settings));
-      ASSERT_TRUE(points.ok()) << to_string(points.error());
+      const auto points = must(control_points(fill.outline, gauss_options(fill.settings)));
       // The hole, not the rest of the sphere: all of it lies beyond the loop.
       Vector3 middle = Vector3::Zero();
       for (const Vector3& point : loop.points) middle += point / double(loop.points.size());
@@ -107,7 +95,7 @@ TEST(BorderOutline, ASaddleIsFilledByASaddle) {
   EXPECT_EQ(fill.settings.sign, CurvatureSign::negative);
   EXPECT_EQ(fill.settings.mode, GaussMode::umbilic);
   EXPECT_EQ(fill.outline.loops[0], loop);
-  loop.curvature[3] = 1;  // of both signs
+  loop.curvature[3] = 1;  // both signs
   EXPECT_EQ(border_fill(loop).settings.mode, GaussMode::position);
   loop.curvature.clear();
   EXPECT_EQ(border_fill(loop).settings.mode, GaussMode::position);
@@ -124,8 +112,7 @@ TEST(BorderOutline, CurvatureOfABicubicGridIsItsOwn) {
   for (int j = 0; j < 4; ++j)
     for (int i = 0; i < 4; ++i)
       net.points.emplace_back(2 * i / 3.0 - 1, 2 * j / 3.0 - 1, height(0, i) / 2 + height(0, j) / 4);
-  const auto made = border_outline(bicubic_surface(Vector3(5, 6, 7), net), BorderSide::same, 40);
-  ASSERT_TRUE(made.ok()) << to_string(made.error());
+  const auto made = must(border_outline(bicubic_surface(Vector3(5, 6, 7), net), BorderSide::same, 40));
   ASSERT_EQ(made->loops.size(), 1u);
   ASSERT_EQ(made->loops[0].points.size(), 40u);
   for (std::size_t i = 0; i < 40; ++i) {
@@ -143,13 +130,11 @@ TEST(BorderOutline, AClosedSurfaceHasNone) {
   tetrahedron.positions = {{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}};
   for (const auto& face : std::vector<std::array<Index, 3>>{{0, 1, 2}, {0, 3, 1}, {0, 2, 3}, {1, 3, 2}})
     tetrahedron.add_face(face);
-  const auto polyhedron = Polyhedron::build(tetrahedron);
-  ASSERT_TRUE(polyhedron.ok());
-  const auto surface = PolyhedronSurfacer().rebuild({*polyhedron, {}, Mode::fair, Vector3::Zero()});
-  ASSERT_TRUE(surface.ok());
+  const auto polyhedron = must(Polyhedron::build(tetrahedron));
+  const auto surface = must(PolyhedronSurfacer().rebuild({*polyhedron, {}, Mode::fair, Vector3::Zero()}));
   EXPECT_EQ(border_outline(surface->surface, BorderSide::same).error().code, e_no_border);
   EXPECT_EQ(border_outline(Surface(), BorderSide::same).error().code, e_no_border);
 }
 
 }  // namespace
-}  // namespace hariko
+}  // namespace hariko::test

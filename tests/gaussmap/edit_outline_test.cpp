@@ -1,18 +1,13 @@
 #include "core/gaussmap/outlines/edit_outline.hpp"
 
-#include <gtest/gtest.h>
-
 #include "core/gaussmap/outlines/interpolate_normals.hpp"
 #include "core/gaussmap/outlines/outline_check.hpp"
-#include "core/gaussmap/sphere/spherical_delaunay.hpp"
 #include "core/geometry/angles.hpp"
 #include "tests/gaussmap/truths.hpp"
 #include "tests/support/random.hpp"
 
-namespace hariko {
+namespace hariko::test {
 namespace {
-
-using namespace test;
 
 double slant(const OutlineLoop& loop, std::size_t i) {
   return std::abs(loop.normals[i].normalized().dot(loop_tangents(loop.points)[i]));
@@ -67,19 +62,16 @@ TEST(EditOutline, SpreadsALoopFromTheGivenPoints) {
 
 TEST(EditOutline, PointsComeAndGo) {
   const Outline band = sphere_band(16).outline;  // 16 and 12
-  const auto more = with_point_after(band, 20);
-  ASSERT_TRUE(more.ok());
+  const auto more = must(with_point_after(band, 20));
   EXPECT_EQ(more->loops[0], band.loops[0]);
   EXPECT_EQ(more->loops[1].points.size(), 13u);
   EXPECT_EQ(more->loops[1].points[4], band.loops[1].points[4]);
-  const auto back = without_points(*more, {21});
-  ASSERT_TRUE(back.ok());
+  const auto back = must(without_points(*more, {21}));
   EXPECT_EQ(*back, band);
   std::set<Index> second = whole_loops(band, {17});
   EXPECT_EQ(second.size(), 12u);
   EXPECT_EQ(*second.begin(), 16u);
-  const auto one = without_points(band, {17, 18, 19, 20, 21, 22, 23, 24, 25});
-  ASSERT_TRUE(one.ok());
+  const auto one = must(without_points(band, {17, 18, 19, 20, 21, 22, 23, 24, 25}));
   ASSERT_EQ(one->loops.size(), 1u);
   EXPECT_EQ(one->loops[0], band.loops[0]);
   EXPECT_EQ(with_loop(*one, band.loops[1]), band);
@@ -101,8 +93,7 @@ TEST(EditOutline, DistancesGoRoundTheLoopTheShorterWay) {
 
 TEST(EditOutline, ResamplesAllLoopsAndNamesThePointThatIsWrong) {
   Outline band = sphere_band(16).outline;
-  const auto made = resampled(band, 20, LoopMeasure::gauss_arc);
-  ASSERT_TRUE(made.ok());
+  const auto made = must(resampled(band, 20, LoopMeasure::gauss_arc));
   EXPECT_EQ(made->point_count(), 40u);
   band.loops[1].points[3] = band.loops[1].points[2];
   const auto bad = resampled(band, 20, LoopMeasure::arc);
@@ -115,13 +106,11 @@ TEST(EditOutline, InsideOutIsTheSameSurfaceFromBehind) {
   const Outline saddle = golden_outline("saddle");
   const Outline behind = turned_inside_out(saddle);
   EXPECT_EQ(turned_inside_out(behind), saddle);
-  GaussOptions options;
-  options.mode = GaussMode::position;
-  const auto front = control_points(saddle, options), back = control_points(behind, options);
-  ASSERT_TRUE(front.ok() && back.ok());
+  GaussOptions options = in_mode(GaussMode::position);
+  const auto front = must(control_points(saddle, options)), back = must(control_points(behind, options));
   const Truth truth = test::saddle_truth();
   for (const Vector3& point : back->points) EXPECT_LE((truth.foot(point).point - point).norm(), 5e-3);
 }
 
 }  // namespace
-}  // namespace hariko
+}  // namespace hariko::test

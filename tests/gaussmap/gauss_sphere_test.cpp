@@ -1,4 +1,4 @@
-// What the second view shows of an outline: its image, sites, cells and tangent planes, step by step.
+// Gauss sphere, an outline's second view: its image, sites, cells and tangent planes, step by step.
 
 #include "core/gaussmap/sphere/gauss_sphere.hpp"
 
@@ -8,10 +8,8 @@
 
 #include "tests/gaussmap/truths.hpp"
 
-namespace hariko {
+namespace hariko::test {
 namespace {
-
-using namespace test;
 
 double total_angle(const SphereMesh& mesh) {
   double sum = 0;
@@ -102,4 +100,4 @@ TEST(GaussSphere, AnErrorLeavesTheImage) {
 }
 
 }  // namespace
-}  // namespace hariko
+}  // namespace hariko::test

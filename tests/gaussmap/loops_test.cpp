@@ -1,21 +1,16 @@
 // Loops resampled, drawn, with normals spread along them.
 
-#include <gtest/gtest.h>
-
 #include "core/gaussmap/outlines/drawn_loop.hpp"
 #include "core/gaussmap/outlines/interpolate_normals.hpp"
 #include "core/gaussmap/outlines/loop_curve.hpp"
 #include "core/gaussmap/outlines/outline_check.hpp"
 #include "core/gaussmap/outlines/resample_loop.hpp"
-#include "core/gaussmap/sphere/spherical_delaunay.hpp"
 #include "core/geometry/angles.hpp"
 #include "tests/gaussmap/truths.hpp"
 #include "tests/support/random.hpp"
 
-namespace hariko {
+namespace hariko::test {
 namespace {
-
-using namespace test;
 
 /// An ellipse on the ellipsoid (2, 1.5, 1) at z = 0.4, uneven in every measure.
 OutlineLoop uneven_ellipse(std::size_t count) {
@@ -64,8 +59,7 @@ TEST(ResampleLoop, IsUniformInTheTurningOfTheNormalsAndStaysOnTheCurve) {
     const OutlineLoop given = uneven_ellipse(count);
     const auto [rough_least, rough_largest] = least_and_largest_turn(given);
     EXPECT_GT(rough_largest, 1.5 * rough_least);
-    const auto made = resample_loop(given, 40, LoopMeasure::gauss_arc);
-    ASSERT_TRUE(made.ok()) << to_string(made.error());
+    const auto made = must(resample_loop(given, 40, LoopMeasure::gauss_arc));
     ASSERT_EQ(made->points.size(), 40u);
     EXPECT_EQ(made->points[0], given.points[0]);
     const auto [least, largest] = least_and_largest_turn(*made);
@@ -85,8 +79,7 @@ TEST(ResampleLoop, IsUniformInTheTurningOfTheNormalsAndStaysOnTheCurve) {
 }
 
 TEST(ResampleLoop, ByArcLength) {
-  const auto made = resample_loop(uneven_ellipse(64), 50, LoopMeasure::arc);
-  ASSERT_TRUE(made.ok());
+  const auto made = must(resample_loop(uneven_ellipse(64), 50, LoopMeasure::arc));
   double least = HUGE_VAL, largest = 0;
   for (std::size_t i = 0; i < 50; ++i) {
     const double chord = (made->points[(i + 1) % 50] - made->points[i]).norm();
@@ -98,8 +91,7 @@ TEST(ResampleLoop, ByArcLength) {
 
 TEST(ResampleLoop, AUniformLoopStaysAsItIs) {
   const OutlineLoop circle = sphere_cap(32).outline.loops[0];
-  const auto made = resample_loop(circle, 32, LoopMeasure::gauss_arc);
-  ASSERT_TRUE(made.ok());
+  const auto made = must(resample_loop(circle, 32, LoopMeasure::gauss_arc));
   for (std::size_t i = 0; i < 32; ++i) {
     EXPECT_LE((made->points[i] - circle.points[i]).norm(), 1e-12);
     EXPECT_LE((made->normals[i] - circle.normals[i]).norm(), 1e-12);
@@ -126,11 +118,10 @@ TEST(ResampleLoop, NormalsStayPerpendicularOnRandomLoops) {
       const Vector3 a = Vector3(std::cos(t), std::sin(t), 0), b = Vector3::UnitZ();
       const Vector3 n = std::cos(turns * t) * b + std::sin(turns * t) * a;
       loop.normals.push_back((n - n.dot(tangents[i]) * tangents[i]).normalized());
-      loop.curvature.push_back(std::cos(t));  // of both signs
+      loop.curvature.push_back(std::cos(t));  // both signs
     }
     for (const LoopMeasure measure : {LoopMeasure::arc, LoopMeasure::gauss_arc}) {
-      const auto made = resample_loop(loop, 96, measure);
-      ASSERT_TRUE(made.ok()) << to_string(made.error());
+      const auto made = must(resample_loop(loop, 96, measure));
       for (std::size_t i = 0; i < made->points.size(); ++i) {
         EXPECT_NEAR(made->normals[i].norm(), 1, 1e-12);
         EXPECT_LE(std::abs(made->curvature[i]), 1 + 1e-12);
@@ -167,8 +158,7 @@ TEST(ResampleLoop, SaysWhatItCannotDo) {
 TEST(ResampleLoop, OneMorePoint) {
   const OutlineLoop given = uneven_ellipse(48);
   for (const std::size_t place : {0u, 17u, 47u}) {
-    const auto made = with_point_after(given, place);
-    ASSERT_TRUE(made.ok());
+    const auto made = must(with_point_after(given, place));
     ASSERT_EQ(made->points.size(), 49u);
     const LoopErrors errors = errors_on_ellipsoid(*made);
     EXPECT_LT(errors.point, 1e-4);
@@ -249,8 +239,7 @@ TEST(DrawnLoop, ACircleOfCornersBecomesADome) {
   for (int i = 0; i < 8; ++i) corners.emplace_back(std::cos(i * pi / 4), std::sin(i * pi / 4), 0);
   for (const bool backwards : {false, true}) {
     if (backwards) std::reverse(corners.begin() + 1, corners.end());
-    const auto loop = drawn_loop(corners, {});
-    ASSERT_TRUE(loop.ok()) << to_string(loop.error());
+    const auto loop = must(drawn_loop(corners, {}));
     ASSERT_EQ(loop->points.size(), 32u);
     EXPECT_LE((loop->points[0] - corners[0]).norm(), 1e-12);
     EXPECT_GT(vector_area(loop->points).z(), 0);
@@ -259,10 +248,8 @@ TEST(DrawnLoop, ACircleOfCornersBecomesADome) {
       EXPECT_NEAR(loop->normals[i].z(), std::sqrt(0.5), 1e-9);
       EXPECT_GT(loop->normals[i].dot(loop->points[i]), 0);
     }
-    GaussOptions options;
-    options.mode = GaussMode::umbilic;
-    const auto points = control_points({{*loop}}, options);
-    ASSERT_TRUE(points.ok()) << to_string(points.error());
+    GaussOptions options = in_mode(GaussMode::umbilic);
+    const auto points = must(control_points({{*loop}}, options));
     EXPECT_TRUE(points->messages.empty()) << to_string(points->messages[0]);
     // The sphere of radius sqrt 2 has these normals: its cap is sqrt 2 - 1 high.
     double top = 0;
@@ -278,19 +265,15 @@ TEST(DrawnLoop, AHoleAboveTheOuterLoopMakesABand) {
     low.push_back(out);
     high.push_back(0.4 * out + 0.5 * Vector3::UnitZ());
   }
-  DrawnLoop settings;
-  settings.tilt = 1.2;
-  const auto outer = drawn_loop(low, settings);
+  DrawnLoop settings{.tilt = 1.2};
+  const auto outer = must(drawn_loop(low, settings));
   settings.tilt = 0.4;
   settings.hole = true;
-  const auto hole = drawn_loop(high, settings);
-  ASSERT_TRUE(outer.ok() && hole.ok());
+  const auto hole = must(drawn_loop(high, settings));
   EXPECT_LT(vector_area(hole->points).z(), 0);
   EXPECT_GT(hole->normals[0].x(), 0);  // away from the middle of the hole
-  GaussOptions options;
-  options.mode = GaussMode::umbilic;
-  const auto points = control_points({{*outer, *hole}}, options);
-  ASSERT_TRUE(points.ok()) << to_string(points.error());
+  GaussOptions options = in_mode(GaussMode::umbilic);
+  const auto points = must(control_points({{*outer, *hole}}, options));
   EXPECT_GT(points->points.size(), points->boundary_count);
 }
 
@@ -306,11 +289,10 @@ TEST(DrawnLoop, SaysWhatItCannotUse) {
   const std::vector<Vector3> line{
       {0, 0, 0}, {1, 0, 0}, {2, 0, 0}};  // goes there and back: not of use, but no harm
   EXPECT_TRUE(drawn_loop(line, {}).ok() || !drawn_loop(line, {}).error().text.empty());
-  DrawnLoop flat;
-  flat.tilt = 0;
+  DrawnLoop flat{.tilt = 0};
   const std::vector<Vector3> triangle{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
   EXPECT_TRUE(drawn_loop(triangle, flat).ok());
 }
 
 }  // namespace
-}  // namespace hariko
+}  // namespace hariko::test

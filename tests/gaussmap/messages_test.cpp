@@ -1,25 +1,16 @@
 // Messages of the solvers and of their results: outlines that bring them about.
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
 
 #include "core/gaussmap/bending_fill.hpp"
-#include "core/gaussmap/minkowski.hpp"
+#include "core/gaussmap/outlines/outline_settings.hpp"
 #include "core/gaussmap/sphere/delaunay_refinement.hpp"
+#include "core/geometry/triangle.hpp"
 #include "tests/gaussmap/truths.hpp"
 #include "tests/support/random.hpp"
 
-namespace hariko {
+namespace hariko::test {
 namespace {
-
-using namespace test;
-
-GaussOptions in_mode(GaussMode mode) {
-  GaussOptions options;
-  options.mode = mode;
-  return options;
-}
 
 /// The error names a point of the outline, in its text and as its element: the number of that point.
 Index expect_error(const Outline& outline, const GaussOptions& options, Code code) {
@@ -70,24 +61,19 @@ TEST(GaussMessages, ALoopThatIsALine) {
     line.loops[0].points.emplace_back(x, 0, 0);
     line.loops[0].normals.push_back(Vector3::UnitZ());
   }
-  const auto points = control_points(line, in_mode(GaussMode::position));
-  ASSERT_TRUE(points.ok()) << to_string(points.error());
-  EXPECT_TRUE(find_message(*points, w_flipped));  // faces without an area have no outer side
-}
-
-TEST(GaussMessages, CurvatureThatDoesNotCloseOverTheLoops) {
-  // Flat on one side and curved on the other: more area there than the loop spans.
-  const Outline outline =
-      scaled_curvature(sphere_cap(32).outline, [](const Vector3& n) { return std::exp(4 * n.x()); });
-  const Index worst = expect_error(outline, in_mode(GaussMode::minkowski), e_curvature_incompatible);
-  EXPECT_LE(outline.loops[0].normals[worst].x(), -0.8);  // where the area is too large
-}
-
-TEST(GaussMessages, CurvatureThatNoConvexSurfaceHas) {
-  const Outline outline = scaled_curvature(sphere_band(32).outline, [](const Vector3& n) {
-    return std::exp(4 * std::sin(2 * std::atan2(n.y(), n.x())));
-  });
-  expect_error(outline, in_mode(GaussMode::minkowski), e_curvature_unreachable);
+  const auto points = must(control_points(line, in_mode(GaussMode::position)));
+  const Message* message = find_message(*points, w_flipped);
+  ASSERT_TRUE(message);  // faces without an area have no outer side
+  // The faces that it counts, and a corner of the first of them.
+  int count = 0;
+  Index first = 0;
+  for (const auto& [a, b, c] : points->triangles) {
+    const Vector3 area = area_vector(points->points[a], points->points[b], points->points[c]);
+    if (area.dot(points->normals[a] + points->normals[b] + points->normals[c]) > 0) continue;
+    if (count++ == 0) first = a;
+  }
+  EXPECT_EQ(message->text.find(std::to_string(count) + " "), 0u) << message->text;
+  EXPECT_EQ(message->element, element_of(VertexId{first}));
 }
 
 TEST(GaussMessages, ACoarseArcIsNamedOnBothSidesOfTheSurface) {
@@ -113,53 +99,29 @@ TEST(GaussMessages, ACoarseArcIsNamedOnBothSidesOfTheSurface) {
 }
 
 TEST(GaussMessages, TheLimitOfPoints) {
-  for (const GaussMode mode : {GaussMode::umbilic, GaussMode::curvature, GaussMode::minkowski,
-                               GaussMode::paper, GaussMode::position})
+  for (const GaussMode mode :
+       {GaussMode::umbilic, GaussMode::curvature, GaussMode::paper, GaussMode::position})
     for (const GroundTruth& truth : {sphere_cap(32), sphere_band(32)}) {
       SCOPED_TRACE(truth.name + " " + std::to_string(int(mode)));
       GaussOptions options = in_mode(mode);
       options.most_points = 40;
-      const auto few = control_points(truth.outline, options);
-      ASSERT_TRUE(few.ok()) << to_string(few.error());
+      const auto few = must(control_points(truth.outline, options));
       EXPECT_LE(few->points.size(), few->boundary_count + 40);
       const Message* message = find_message(*few, w_too_many_points);
       ASSERT_TRUE(message);
       EXPECT_NE(message->text.find("40"), std::string::npos);
       if (mode == GaussMode::paper) continue;  // slow with all of them
       options.most_points = 20000;
-      const auto all = control_points(truth.outline, options);
-      ASSERT_TRUE(all.ok()) << to_string(all.error());
+      const auto all = must(control_points(truth.outline, options));
       EXPECT_FALSE(find_message(*all, w_too_many_points));
     }
-}
-
-TEST(GaussMessages, PaperTurnsFacesOver) {
-  GaussOptions options = in_mode(GaussMode::paper);
-  options.rule = PaperRule::neighbour;
-  options.most_points = 60;
-  const auto points = control_points(ellipsoid_cap(32).outline, options);
-  ASSERT_TRUE(points.ok()) << to_string(points.error());
-  const Message* message = find_message(*points, w_flipped);
-  ASSERT_TRUE(message);
-  // The faces that it counts, and a corner of the first of them.
-  int count = 0;
-  Index first = 0;
-  for (const auto& [a, b, c] : points->triangles) {
-    const Vector3 across =
-        (points->points[b] - points->points[a]).cross(points->points[c] - points->points[a]);
-    if (across.dot(points->normals[a] + points->normals[b] + points->normals[c]) > 0) continue;
-    if (count++ == 0) first = a;
-  }
-  EXPECT_EQ(message->text.find(std::to_string(count) + " "), 0u) << message->text;
-  EXPECT_EQ(message->element, element_of(VertexId{first}));
 }
 
 TEST(GaussMessages, WrongCurvatureMakesAResultThatIsNotConvex) {
   const Outline outline = scaled_curvature(sphere_cap(32).outline, [](const Vector3& n) {
     return std::exp(2.2 * std::sin(3 * std::atan2(n.y(), n.x())));
   });
-  const auto points = control_points(outline, in_mode(GaussMode::curvature));
-  ASSERT_TRUE(points.ok()) << to_string(points.error());
+  const auto points = must(control_points(outline, in_mode(GaussMode::curvature)));
   const Message* message = find_message(*points, w_result_not_convex);
   ASSERT_TRUE(message);
   ASSERT_EQ(message->element.kind, Element::Kind::vertex);
@@ -173,13 +135,24 @@ TEST(GaussMessages, RoughNormalsAreFilledWithoutCurvature) {
   OutlineLoop& loop = rough.loops[0];
   const Vector3 along = (loop.points[8] - loop.points[6]).normalized();
   loop.normals[7] = (loop.normals[7] + std::tan(3 * pi / 180) * along).normalized();
-  const auto points = control_points(rough, in_mode(GaussMode::curvature));
-  ASSERT_TRUE(points.ok()) << to_string(points.error());
+  const auto points = must(control_points(rough, in_mode(GaussMode::curvature)));
   const Message* message = find_message(*points, w_umbilic_used);
   ASSERT_TRUE(message);
   EXPECT_EQ(message->element, element_of(VertexId{7}));
-  const auto umbilic = control_points(rough, in_mode(GaussMode::umbilic));
-  ASSERT_TRUE(umbilic.ok());
+  const auto umbilic = must(control_points(rough, in_mode(GaussMode::umbilic)));
+  EXPECT_EQ(points->points, umbilic->points);
+}
+
+TEST(GaussMessages, AModeThatIsGoneIsReplaced) {
+  OutlineSettings settings;
+  settings.mode_replaced = true;
+  const Outline outline = sphere_cap(32).outline;
+  const auto points = must(control_points(outline, gauss_options(settings)));
+  ASSERT_EQ(points->messages.size(), 1u);
+  EXPECT_EQ(points->messages[0].code, w_outline_method);
+  EXPECT_FALSE(points->messages[0].remedy.empty());
+  const auto umbilic = must(control_points(outline, in_mode(GaussMode::umbilic)));
+  EXPECT_TRUE(umbilic->messages.empty());
   EXPECT_EQ(points->points, umbilic->points);
 }
 
@@ -193,12 +166,11 @@ TEST(GaussMessages, BendingThatDoesNotSettle) {
     const double tilt = std::sin(double(i) * pi / 6);
     loop.normals[i] = std::cos(tilt) * Vector3::UnitZ() + std::sin(tilt) * out;
   }
-  const auto points = control_points(outline, in_mode(GaussMode::position));
-  ASSERT_TRUE(points.ok()) << to_string(points.error());
+  const auto points = must(control_points(outline, in_mode(GaussMode::position)));
   EXPECT_TRUE(find_message(*points, w_not_settled));
   EXPECT_FALSE(
       find_message(*control_points(sphere_cap(48).outline, in_mode(GaussMode::position)), w_not_settled));
 }
 
 }  // namespace
-}  // namespace hariko
+}  // namespace hariko::test

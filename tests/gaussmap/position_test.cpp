@@ -1,7 +1,5 @@
 // The mode position (gaussmap.md 8).
 
-#include <gtest/gtest.h>
-
 #include <cstdlib>
 #include <iomanip>
 #include <iostream>
@@ -13,17 +11,12 @@
 #include "tests/gaussmap/truths.hpp"
 #include "tests/support/random.hpp"
 
-namespace hariko {
+namespace hariko::test {
 namespace {
 
-using namespace test;
-
 double distance(const GroundTruth& truth) {
-  GaussOptions options;
-  options.mode = GaussMode::position;
-  const auto points = control_points(truth.outline, options);
-  EXPECT_TRUE(points.ok()) << to_string(points.error());
-  if (!points.ok()) return HUGE_VAL;
+  GaussOptions options = in_mode(GaussMode::position);
+  const auto points = must(control_points(truth.outline, options));
   const PointErrors errors = point_errors(*points, truth.truth);
   if (std::getenv("HARIKO_SHOW_NUMBERS")) {
     std::ostringstream line;
@@ -34,7 +27,7 @@ double distance(const GroundTruth& truth) {
   }
   for (const Message& message : points->messages)
     EXPECT_EQ(message.code, w_normal_tangent)
-        << to_string(message);  // of coarse loops, whose chords are not tangents
+        << to_string(message);  // coarse loops have chords that are not tangents
   return errors.distance;
 }
 
@@ -67,8 +60,7 @@ TEST(PositionMode, MeshesAreManifoldWithTheLoopsAsTheirBorder) {
   for (const std::size_t count : {8u, 16u, 37u}) {
     for (const GroundTruth& truth : {catenoid_strip(count), saddle_disc(count), sphere_band(count)}) {
       SCOPED_TRACE(truth.name);
-      const auto mesh = position_mesh(truth.outline, 0.6, 20000);
-      ASSERT_TRUE(mesh.ok()) << to_string(mesh.error());
+      const auto mesh = must(position_mesh(truth.outline, 0.6, 20000));
       expect_manifold(mesh->triangles, mesh->next);
     }
   }
@@ -99,12 +91,10 @@ TEST(PositionMode, VerticesAreSpreadEvenlyOverTheShape) {
   // A cap whose sides stand up steeply: even in its layout it is not even in space.
   for (const GroundTruth& truth : {sphere_cap(32), saddle_disc(32), ellipsoid_cap(32)}) {
     SCOPED_TRACE(truth.name);
-    GaussOptions options;
-    options.mode = GaussMode::position;
-    const auto even = control_points(truth.outline, options);
+    GaussOptions options = in_mode(GaussMode::position);
+    const auto even = must(control_points(truth.outline, options));
     options.relaxation = 0;
-    const auto ragged = control_points(truth.outline, options);
-    ASSERT_TRUE(even.ok() && ragged.ok());
+    const auto ragged = must(control_points(truth.outline, options));
     ASSERT_EQ(even->points.size(), ragged->points.size());
     EXPECT_EQ(even->triangles.size(), ragged->triangles.size());
     expect_manifold(even->triangles, next_of(truth.outline));
@@ -129,8 +119,7 @@ TEST(PositionMode, FoldedImagesAndMixedCurvatureWork) {
   GaussOptions options;
   EXPECT_FALSE(control_points({{loop}}, options).ok());
   options.mode = GaussMode::position;
-  const auto points = control_points({{loop}}, options);
-  ASSERT_TRUE(points.ok()) << to_string(points.error());
+  const auto points = must(control_points({{loop}}, options));
   double largest = 0;
   for (Index i = points->boundary_count; i < points->points.size(); ++i) {
     const Vector3& p = points->points[i];
@@ -174,12 +163,9 @@ TEST(PositionMode, LoopsBesideEachOtherHaveNoLayout) {
       loop.normals.push_back(Vector3(std::cos(t), std::sin(t), 3).normalized());
     }
   }
-  GaussOptions options;
-  options.mode = GaussMode::position;
-  const auto points = control_points(outline, options);
-  ASSERT_FALSE(points.ok());
-  EXPECT_EQ(points.error().code, e_no_layout);
+  GaussOptions options = in_mode(GaussMode::position);
+  must_fail(control_points(outline, options), e_no_layout);
 }
 
 }  // namespace
-}  // namespace hariko
+}  // namespace hariko::test

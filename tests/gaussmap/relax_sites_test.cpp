@@ -2,8 +2,6 @@
 
 #include "core/gaussmap/sphere/lloyd_relaxed_sites.hpp"
 
-#include <gtest/gtest.h>
-
 #include <Eigen/Geometry>
 #include <map>
 
@@ -18,8 +16,7 @@ namespace {
 using namespace test;
 
 SphereMesh inserted(const std::vector<std::vector<Vector3>>& loops) {
-  auto begun = SiteInsertion::begin(loops);
-  EXPECT_TRUE(begun.ok());
+  auto begun = must(SiteInsertion::begin(loops));
   SiteInsertion insertion = std::move(begun).value();
   while (insertion.insert_next(0.6 * insertion.boundary_spacing())) {
   }

@@ -1,7 +1,5 @@
 // Surfaces over outlines go on bending at their rims as the true surfaces do (kuriyama.md section 6).
 
-#include <gtest/gtest.h>
-
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
@@ -12,16 +10,13 @@
 
 #include "core/analysis/curvature.hpp"
 #include "core/gaussmap/outline_polyhedron.hpp"
-#include "core/gaussmap/sphere/spherical_delaunay.hpp"
 #include "core/patching/fair/boundary_curvature_load.hpp"
 #include "core/patching/polyhedron_surface.hpp"
 #include "tests/gaussmap/truths.hpp"
 #include "tests/support/random.hpp"
 
-namespace hariko {
+namespace hariko::test {
 namespace {
-
-using namespace test;
 
 /// The curvature tensor of the true surface at a foot, from the turn of its normal; as in `Curvature`.
 Matrix3 true_tensor(const Truth& truth, const Truth::Foot& foot, double step) {
@@ -50,8 +45,7 @@ OutlinePolyhedron without_tags(OutlinePolyhedron polyhedron) {
 
 /// Points inside on the true surface, so that what is left is between them.
 OutlinePolyhedron over_true_points(const GroundTruth& truth, GaussMode mode) {
-  GaussOptions options;
-  options.mode = mode;
+  GaussOptions options = in_mode(mode);
   ControlPoints points = *control_points(truth.outline, options);
   for (std::size_t i = points.boundary_count; i < points.points.size(); ++i) {
     const Truth::Foot foot = truth.truth.foot(points.points[i]);
@@ -61,7 +55,7 @@ OutlinePolyhedron over_true_points(const GroundTruth& truth, GaussMode mode) {
   return *outline_polyhedron(points);
 }
 
-/// How far curvature is from the true one, relative, root of the mean square.
+/// Error of curvature against the true one, relative, root of the mean square.
 struct Error {
   double rim = 0;     ///< on the rim
   double beside = 0;  ///< in the patches along it
@@ -71,8 +65,7 @@ struct Error {
 };
 
 Error curvature_error(const OutlinePolyhedron& polyhedron, const GroundTruth& of) {
-  const auto made = PolyhedronSurfacer().rebuild(input_of(polyhedron));
-  EXPECT_TRUE(made.ok());
+  const auto made = must(PolyhedronSurfacer().rebuild(input_of(polyhedron)));
   const Surface& surface = made->surface;
   const HalfEdgeMesh& mesh = polyhedron.polyhedron.topology();
   Error out;
@@ -213,8 +206,7 @@ TEST(BoundaryCurvatureLoad, OnlyWhereTagsAndPinsSayItAndAsLongAsTheyDo) {
     if (!pinned) input.shaping.pin.erase(third);
     if (pinned) input.shaping = outline.shaping;
     EXPECT_EQ(clamped_boundary_edges(polyhedron, input.shaping).size() < 16, !pinned);
-    const auto dragged = surfacer.rebuild(input, Quality::drag);
-    ASSERT_TRUE(dragged.ok());
+    const auto dragged = must(surfacer.rebuild(input, Quality::drag));
     EXPECT_LT(largest_difference(*dragged, *PolyhedronSurfacer().rebuild(input)), 1e-4);
     EXPECT_EQ(largest_difference(*surfacer.rebuild(input), *PolyhedronSurfacer().rebuild(input)), 0);
   }
@@ -252,8 +244,7 @@ TEST(BoundaryCurvatureLoad, SizeDoesNotMatterAndFoldedRimsStayFinite) {
       const std::array<Index, 2> moved{mesh.target(h), c};
       const std::array<Vector3, 2> to{point ? a : b, point ? a : Vector3((a + b) / 2)};
       input.polyhedron = polyhedron.with_positions(moved, to).value();
-      const auto folded = PolyhedronSurfacer().rebuild(input);
-      ASSERT_TRUE(folded.ok());
+      const auto folded = must(PolyhedronSurfacer().rebuild(input));
       double largest = 0;
       for (std::size_t k = 0; k < patches_of(*folded).size(); ++k)
         for (const Vector3& control : patches_of(*folded)[k].control) {
@@ -266,4 +257,4 @@ TEST(BoundaryCurvatureLoad, SizeDoesNotMatterAndFoldedRimsStayFinite) {
 }
 
 }  // namespace
-}  // namespace hariko
+}  // namespace hariko::test

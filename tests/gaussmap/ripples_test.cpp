@@ -1,8 +1,6 @@
 // Ripples: how far the curvature of the surface between control points is from the true one, near vertices
 // with other than six neighbours, among those with six, and along the rims.
 
-#include <gtest/gtest.h>
-
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cstdlib>
@@ -11,7 +9,6 @@
 #include <sstream>
 
 #include "core/analysis/curvature.hpp"
-#include "core/gaussmap/fitted_tangents.hpp"
 #include "core/gaussmap/outline_polyhedron.hpp"
 #include "core/gaussmap/rim_tangents.hpp"
 #include "core/network/network_system.hpp"
@@ -26,7 +23,7 @@ using namespace test;
 
 struct Case {
   GroundTruth truth;
-  Vector3 axes;  ///< of the ellipsoid
+  Vector3 axes;  ///< half axes of the ellipsoid
 };
 
 double mean_curvature(const Vector3& axes, const Vector3& point) {
@@ -36,7 +33,7 @@ double mean_curvature(const Vector3& axes, const Vector3& point) {
 }
 
 struct Deviation {
-  double rms = 0, usual = 0;  ///< of the mean curvature, relative; the second: of 95 % of the places
+  double rms = 0, usual = 0;  ///< errors of the mean curvature, relative; the second: of 95 % of the places
 };
 Deviation deviation(std::vector<double> all) {
   std::sort(all.begin(), all.end());
@@ -147,8 +144,7 @@ TEST(FittedTangents, BearNormalsThatAreNotThoseOfThePoints) {
     }
     const OutlinePolyhedron made = *outline_polyhedron(points);
     const HalfEdgeMesh& mesh = made.polyhedron.topology();
-    const auto network = NetworkSystem::assemble(made.polyhedron, made.shaping);
-    ASSERT_TRUE(network.ok());
+    const auto network = must(NetworkSystem::assemble(made.polyhedron, made.shaping));
     const auto basis = network->solve(made.polyhedron.positions(), {}).basis;
     double longest = 0;
     for (Index h = 0; h < mesh.half_edge_count(); ++h)

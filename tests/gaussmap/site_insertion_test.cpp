@@ -1,19 +1,12 @@
 #include "core/gaussmap/sphere/delaunay_refinement.hpp"
 
-#include <gtest/gtest.h>
-
-#include <numeric>
-
 #include "core/geometry/angles.hpp"
 #include "core/geometry/orientation.hpp"
 #include "tests/gaussmap/truths.hpp"
 #include "tests/support/random.hpp"
 
-namespace hariko {
+namespace hariko::test {
 namespace {
-
-using test::golden_outline;
-using test::uniform;
 
 /// A wavy circle round a random axis, the image inside.
 std::vector<Vector3> wavy_loop(std::mt19937_64& rng, std::size_t count, double angle, double waves) {
@@ -55,8 +48,7 @@ double area_by_angles(const SphereMesh& mesh, int loops) {
 TEST(SiteInsertion, IsDelaunayInsideOfRandomLoopsAndKeepsTheirEdges) {
   test::for_random(9201, 12, [](std::mt19937_64& rng) {
     const auto loop = wavy_loop(rng, std::size_t(test::uniform_int(rng, 12, 40)), uniform(rng, 0.4, 2), 0.1);
-    auto begun = SiteInsertion::begin({loop});
-    ASSERT_TRUE(begun) << begun.error().text;
+    auto begun = test::must(SiteInsertion::begin({loop}));
     SiteInsertion insertion = std::move(begun).value();
     const double smallest = 0.6 * insertion.boundary_spacing();
     for (int i = 0; i < 200 && insertion.insert_next(smallest); ++i) {
@@ -76,8 +68,7 @@ TEST(SiteInsertion, CellsPartitionTheImage) {
   for (const auto& [name, loops] :
        {std::pair{"sphere_cap", 1}, {"ellipsoid_cap", 1}, {"sphere_band", 2}, {"three_holes", 3}}) {
     SCOPED_TRACE(name);
-    auto begun = SiteInsertion::begin(unit_normals(golden_outline(name)));
-    ASSERT_TRUE(begun) << begun.error().text;
+    auto begun = test::must(SiteInsertion::begin(unit_normals(golden_outline(name))));
     SiteInsertion insertion = std::move(begun).value();
     for (int i = 0; i < 60 && insertion.insert_next(0.6 * insertion.boundary_spacing()); ++i) {
     }
@@ -131,16 +122,14 @@ TEST(SiteInsertion, MissingEdgesAndLeaksAreNamed) {
   };
   const auto coarse =
       SiteInsertion::begin({circle(0.55, 48, false), circle(0.5, 8, true), circle(0.42, 48, false)});
-  ASSERT_FALSE(coarse);
-  EXPECT_EQ(coarse.error().code, e_boundary_edge);
+  test::must_fail(coarse, e_boundary_edge);
   EXPECT_NE(coarse.error().text.find("of loop"), std::string::npos) << coarse.error().text;
   // The band's upper loop turned the wrong way: the image is on both sides of it.
   const auto leak = SiteInsertion::begin({circle(1.4, 24, false), circle(0.7, 18, false)});
-  ASSERT_FALSE(leak);
-  EXPECT_EQ(leak.error().code, e_image_leak);
+  test::must_fail(leak, e_image_leak);
   EXPECT_EQ(leak.error().element.kind, Element::Kind::vertex);
   EXPECT_NE(leak.error().text.find("point"), std::string::npos) << leak.error().text;
 }
 
 }  // namespace
-}  // namespace hariko
+}  // namespace hariko::test

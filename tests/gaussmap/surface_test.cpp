@@ -1,8 +1,6 @@
 // The surface over the control points: it runs through the outline with its normals; how far it is from the
 // true one.
 
-#include <gtest/gtest.h>
-
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cstdlib>
@@ -11,15 +9,13 @@
 #include <sstream>
 
 #include "core/gaussmap/outline_polyhedron.hpp"
-#include "core/gaussmap/sphere/spherical_delaunay.hpp"
 #include "core/geometry/angles.hpp"
 #include "core/patching/polyhedron_surface.hpp"
 #include "tests/gaussmap/truths.hpp"
+#include "tests/support/must.hpp"
 
-namespace hariko {
+namespace hariko::test {
 namespace {
-
-using namespace test;
 
 struct SurfaceErrors {
   double outline_points = 0;   ///< largest distance of an outline point from its node, relative to the size
@@ -85,12 +81,9 @@ PolyhedronSurface surface_of(const OutlinePolyhedron& polyhedron, Mode mode) {
 }
 
 void check(const GroundTruth& truth, GaussMode gauss_mode, Mode mode) {
-  GaussOptions options;
-  options.mode = gauss_mode;
-  const auto points = control_points(truth.outline, options);
-  ASSERT_TRUE(points.ok()) << to_string(points.error());
-  const auto polyhedron = outline_polyhedron(*points);
-  ASSERT_TRUE(polyhedron.ok()) << to_string(polyhedron.error());
+  GaussOptions options = in_mode(gauss_mode);
+  const auto points = must(control_points(truth.outline, options));
+  const auto polyhedron = must(outline_polyhedron(*points));
   const PolyhedronSurface made = surface_of(*polyhedron, mode);
   const SurfaceErrors errors = surface_errors(made.surface, *polyhedron, truth);
   const double inserted = point_errors(*points, truth.truth).distance;
@@ -170,12 +163,9 @@ TEST(OutlineSurface, FlatRimsStayFlat) {
     loop.points.push_back(turn * Vector3(r * std::cos(t), r * std::sin(t), 0));
     loop.normals.push_back(turn * (std::sin(lean) * outward + std::cos(lean) * Vector3::UnitZ()));
   }
-  GaussOptions options;
-  options.mode = GaussMode::umbilic;
-  const auto points = control_points({{loop}}, options);
-  ASSERT_TRUE(points.ok()) << to_string(points.error());
-  const auto polyhedron = outline_polyhedron(*points);
-  ASSERT_TRUE(polyhedron.ok());
+  GaussOptions options = in_mode(GaussMode::umbilic);
+  const auto points = must(control_points({{loop}}, options));
+  const auto polyhedron = must(outline_polyhedron(*points));
   for (const auto& [mode, allowed] : {std::pair{Mode::fair, 1e-13}, {Mode::g2, 1e-4}}) {
     double highest = 0;
     for (const Vector3& point :
@@ -211,4 +201,4 @@ TEST(OutlineSurface, EvenSitesTakeTheRipplesAway) {
 }
 
 }  // namespace
-}  // namespace hariko
+}  // namespace hariko::test

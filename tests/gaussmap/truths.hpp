@@ -15,6 +15,12 @@ namespace hariko::test {
 
 inline constexpr double pi = std::numbers::pi;
 
+inline GaussOptions in_mode(GaussMode mode) {
+  GaussOptions options;
+  options.mode = mode;
+  return options;
+}
+
 /// An outline of tests/golden/gaussmap.
 Outline golden_outline(const std::string& name);
 
@@ -229,8 +235,8 @@ inline GroundTruth catenoid_strip(std::size_t count) {
   return catenoid_strip(count, count * 7 / 8);
 }
 
-/// Of the inserted points: largest distance from the true surface, largest angle between given and true
-/// normal.
+/// Errors of the inserted points: largest distance from the true surface, largest angle between given and
+/// true normal.
 struct PointErrors {
   double distance = 0, degrees = 0, support = 0;
   double curvature = 0;  ///< relative, root of the mean square

@@ -1,18 +1,14 @@
 #include "core/geometry/box_tree.hpp"
 
-#include <gtest/gtest.h>
-
-#include <numbers>
 #include <set>
 
 #include "core/geometry/triangle_tree.hpp"
 #include "core/geometry/winding_tree.hpp"
 #include "tests/support/random.hpp"
 
-namespace hariko {
+namespace hariko::test {
 namespace {
 
-using namespace test;
 using Triangle = std::array<Index, 3>;
 
 struct Triangles {
@@ -116,4 +112,4 @@ TEST(WindingTree, CountsTurnsAndMeasuresDistancesAsTheTriangleTreeDoes) {
 }
 
 }  // namespace
-}  // namespace hariko
+}  // namespace hariko::test

@@ -1,16 +1,12 @@
 #include "core/geometry/convex_hull.hpp"
 
-#include <gtest/gtest.h>
-
 #include <set>
 
 #include "core/geometry/orientation.hpp"
 #include "tests/support/random.hpp"
 
-namespace hariko {
+namespace hariko::test {
 namespace {
-
-using test::uniform;
 
 void expect_is_hull(const ConvexHull& hull) {
   std::set<std::pair<Index, Index>> edges;
@@ -105,4 +101,4 @@ TEST(SideOfPlane, IsExactWhereRoundingIsNot) {
 }
 
 }  // namespace
-}  // namespace hariko
+}  // namespace hariko::test

@@ -3,8 +3,6 @@
 
 #include "core/geometry/curve_places.hpp"
 
-#include <gtest/gtest.h>
-
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
@@ -13,10 +11,8 @@
 #include "core/geometry/polygon.hpp"
 #include "tests/support/random.hpp"
 
-namespace hariko {
+namespace hariko::test {
 namespace {
-
-using namespace test;
 
 Vector3 point_within(std::mt19937_64& rng, double size) {
   return {size * uniform(rng, -1, 1), size * uniform(rng, -1, 1), size * uniform(rng, -1, 1)};
@@ -150,6 +146,13 @@ TEST(CurvePlaces, SegmentsCrossWhereBothAre) {
   });
 }
 
+TEST(LengthsAlong, AddUpTheSidesAndCloseTheRing) {
+  const std::vector<Vector3> points{{0, 0, 0}, {3, 0, 0}, {3, 4, 0}};
+  EXPECT_EQ(lengths_along(points), (std::vector<double>{0, 3, 7}));
+  EXPECT_EQ(lengths_along(points, true), (std::vector<double>{0, 3, 7, 12}));
+  EXPECT_EQ(lengths_along({}), std::vector<double>{0});
+}
+
 TEST(PolygonCentre, IsThatOfTheAreaWhereverThePolygonLies) {
   for_random(4206, 300, [](std::mt19937_64& rng) {
     const Matrix3 axes = random_axes(rng);
@@ -172,4 +175,4 @@ TEST(PolygonCentre, IsThatOfTheAreaWhereverThePolygonLies) {
 }
 
 }  // namespace
-}  // namespace hariko
+}  // namespace hariko::test

@@ -1,13 +1,9 @@
 #include "core/geometry/mirror_plane.hpp"
 
-#include <gtest/gtest.h>
-
 #include "tests/support/random.hpp"
 
-namespace hariko {
+namespace hariko::test {
 namespace {
-
-using namespace test;
 
 TEST(MirrorPlane, ImagesLieAsFarBeyondThePlaneAndPointsInItStay) {
   for_random(7200, 300, [](std::mt19937_64& rng) {
@@ -32,4 +28,4 @@ TEST(MirrorPlane, AcrossZeroImagesOfImagesAreThePointsToTheLastBit) {
 }
 
 }  // namespace
-}  // namespace hariko
+}  // namespace hariko::test

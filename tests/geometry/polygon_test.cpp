@@ -1,17 +1,13 @@
 #include "core/geometry/polygon.hpp"
 
-#include <gtest/gtest.h>
-
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <numbers>
 
 #include "tests/support/random.hpp"
 
-namespace hariko {
+namespace hariko::test {
 namespace {
-
-using namespace test;
 
 std::vector<Vector3> random_polygon(std::mt19937_64& rng) {
   std::vector<Vector3> out;
@@ -161,4 +157,4 @@ TEST(Polygon, APointIsInsideWhereTheWindingIsOdd) {
 }
 
 }  // namespace
-}  // namespace hariko
+}  // namespace hariko::test

@@ -1,7 +1,5 @@
 #include "core/geometry/rotation.hpp"
 
-#include <gtest/gtest.h>
-
 #include <Eigen/Geometry>
 #include <cmath>
 

@@ -1,7 +1,5 @@
 #include "core/geometry/tolerant_hull.hpp"
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <set>
 

@@ -2,18 +2,15 @@
 
 #include "core/geometry/triangle_tree.hpp"
 
-#include <gtest/gtest.h>
-
 #include <cmath>
 #include <limits>
 #include <numbers>
 
 #include "tests/support/random.hpp"
 
-namespace hariko {
+namespace hariko::test {
 namespace {
 
-using namespace test;
 using Crossing = TriangleTree::Crossing;
 
 /// Box from `low` to `high` that looks outward.
@@ -124,4 +121,4 @@ TEST(ClosedTriangle, TheNearestPointLiesInTheTriangleAtTheDistance) {
 }
 
 }  // namespace
-}  // namespace hariko
+}  // namespace hariko::test

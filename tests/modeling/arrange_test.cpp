@@ -2,8 +2,6 @@
 
 #include "core/modeling/objects/arrange.hpp"
 
-#include <gtest/gtest.h>
-
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <set>
@@ -76,8 +74,7 @@ TEST(ArrayInRow, CopiesStandAtEqualSteps) {
     const ArrangedIds ids = arranged_ids(before);
     const int count = test::uniform_int(rng, 2, 30);
     const Vector3 step = test::random_vector(rng, 3 * scale);
-    const auto added = array_in_row(before, ids, count, step);
-    ASSERT_TRUE(added.ok()) << to_string(added.error());
+    const auto added = test::must(array_in_row(before, ids, count, step));
     const Document& after = added->document;
     ASSERT_EQ(after.objects.size(), ids.size() * static_cast<std::size_t>(count));
     ASSERT_EQ(added->ids.size(), ids.size() * static_cast<std::size_t>(count - 1));
@@ -106,12 +103,10 @@ TEST(ArrayInRow, CopiesStandAtEqualSteps) {
 TEST(ArrayInRow, NamesAreCountedOn) {
   Document document = document_from_mesh(test::cube(), "Box").value();
   const ArrangedIds box{document.objects[0]->id};
-  const auto three = array_in_row(document, box, 3, {2, 0, 0});
-  ASSERT_TRUE(three.ok());
+  const auto three = test::must(array_in_row(document, box, 3, {2, 0, 0}));
   EXPECT_EQ(three->document.objects[1]->name, "Box 2");
   EXPECT_EQ(three->document.objects[2]->name, "Box 3");
-  const auto more = array_in_row(three->document, std::span(three->ids).first(1), 3, {0, 2, 0});
-  ASSERT_TRUE(more.ok());
+  const auto more = test::must(array_in_row(three->document, std::span(three->ids).first(1), 3, {0, 2, 0}));
   EXPECT_EQ(more->document.find(more->ids[0])->name, "Box 4");
   EXPECT_EQ(more->document.find(more->ids[1])->name, "Box 5");
 }
@@ -120,8 +115,7 @@ TEST(ArrayInRow, CopiesOfLockedObjectsAreFreeAndHiddenOnesStayHidden) {
   Document document = document_from_mesh(test::cube(), "Box").value();
   const ObjectId id = document.objects[0]->id;
   document = set_visible(*set_locked(document, id, true), id, false).value();
-  const auto added = array_in_row(document, ArrangedIds{id, id}, 2, {2, 0, 0});
-  ASSERT_TRUE(added.ok());
+  const auto added = test::must(array_in_row(document, ArrangedIds{id, id}, 2, {2, 0, 0}));
   ASSERT_EQ(added->ids.size(), 1U) << "an object that is given twice counts once";
   EXPECT_FALSE(added->document.find(added->ids[0])->locked);
   EXPECT_FALSE(added->document.find(added->ids[0])->visible);
@@ -130,8 +124,7 @@ TEST(ArrayInRow, CopiesOfLockedObjectsAreFreeAndHiddenOnesStayHidden) {
 
 TEST(ArrayInRow, TheLargestIsMade) {
   const Document document = document_from_mesh(test::cube(), "Box").value();
-  const auto added = array_in_row(document, arranged_ids(document), most_places, {2, 0, 0});
-  ASSERT_TRUE(added.ok());
+  const auto added = test::must(array_in_row(document, arranged_ids(document), most_places, {2, 0, 0}));
   EXPECT_EQ(added->document.objects.size(), std::size_t(most_places));
   EXPECT_EQ(added->document.objects.back()->name, "Box 10000");
   EXPECT_EQ(added->document.objects.back()->transform.translation.x(), 2.0 * (most_places - 1));
@@ -150,11 +143,9 @@ TEST(ArrayInRow, AttachedEdgesKeepCopiesOfTheirSides) {
   const EdgeId edge{VertexId{0}, VertexId{1}};
   const auto side = nearest_side(with_patch.document, *with_patch.document.find(sheet), edge);
   ASSERT_TRUE(side);
-  const auto joined = attach_edge(with_patch.document, sheet, edge, *side);
-  ASSERT_TRUE(joined.ok());
-  const auto added = array_in_row(*joined, ArrangedIds{sheet}, 3, {0, 0, 5});
-  const auto one = duplicate_object(*joined, sheet);
-  ASSERT_TRUE(added.ok() && one.ok());
+  const auto joined = test::must(attach_edge(with_patch.document, sheet, edge, *side));
+  const auto added = test::must(array_in_row(*joined, ArrangedIds{sheet}, 3, {0, 0, 5}));
+  const auto one = test::must(duplicate_object(*joined, sheet));
   for (const ObjectId id : added->ids)
     EXPECT_TRUE(added->document.find(id)->source == one->document.find(one->id)->source)
         << "as a duplicate has them";
@@ -189,8 +180,7 @@ TEST(ArrayAroundAxis, AFullTurnReturnsOntoItself) {
     const RingAxis axis{test::random_vector(rng, 10 * scale) + far, test::random_vector(rng, 5)};
     const int count = test::uniform_int(rng, 2, 12);
     const double whole = test::chance(rng, 0.5) ? 360 : -360;
-    const auto added = array_around_axis(before, arranged_ids(before), count, axis, whole);
-    ASSERT_TRUE(added.ok()) << to_string(added.error());
+    const auto added = test::must(array_around_axis(before, arranged_ids(before), count, axis, whole));
     const double tolerance = 1e-12 * (largest_coordinate(added->document) + axis.point.norm());
     for (std::size_t i = 0; i < before.objects.size(); ++i)
       for (int k = 0; k < count; ++k) {
@@ -214,8 +204,7 @@ TEST(ArrayAroundAxis, APartOfATurnHasCopiesAtBothEnds) {
     const RingAxis axis{test::random_vector(rng, 10 * scale) + far, test::random_vector(rng, 5)};
     const int count = test::uniform_int(rng, 2, 9);
     const double degrees = test::uniform(rng, -359, 359);
-    const auto added = array_around_axis(before, arranged_ids(before), count, axis, degrees);
-    ASSERT_TRUE(added.ok()) << to_string(added.error());
+    const auto added = test::must(array_around_axis(before, arranged_ids(before), count, axis, degrees));
     const double tolerance = 20e-12 * (largest_coordinate(added->document) + axis.point.norm());
     const Vector3 local = test::random_vector(rng, scale);
     const Vector3 start = before.objects[0]->transform.apply(local);
@@ -228,11 +217,9 @@ TEST(ArrayAroundAxis, APartOfATurnHasCopiesAtBothEnds) {
 }
 
 TEST(ArrayAroundAxis, QuarterTurnsAreExact) {
-  Similarity place;
-  place.translation = {3, 1, 7};
+  Similarity place{.translation = {3, 1, 7}};
   const auto box = add_object({}, "Box", PolyhedronSource::from_mesh(test::cube()).value(), place).value();
-  const auto added = array_around_axis(box.document, ArrangedIds{box.id}, 4, {}, 360);
-  ASSERT_TRUE(added.ok());
+  const auto added = test::must(array_around_axis(box.document, ArrangedIds{box.id}, 4, {}, 360));
   EXPECT_EQ(added->document.objects[1]->transform.translation, Vector3(-1, 3, 7));
   EXPECT_EQ(added->document.objects[2]->transform.translation, Vector3(-3, -1, 7));
   EXPECT_EQ(added->document.objects[3]->transform.translation, Vector3(1, -3, 7));
@@ -293,8 +280,7 @@ TEST(DistributeObjects, GapsAreEqualAndTheEndsStay) {
   at_every_scale(505, [](std::mt19937_64& rng, double scale, const Vector3& far) {
     const Document before = arranged_document(rng, test::uniform_int(rng, 3, 8), scale, far);
     for (const Axis axis : {Axis::x, Axis::y, Axis::z}) {
-      const auto after = distribute_objects(before, with_world_boxes(before), axis);
-      ASSERT_TRUE(after.ok()) << to_string(after.error());
+      const auto after = test::must(distribute_objects(before, with_world_boxes(before), axis));
       std::vector<std::size_t> order(before.objects.size());
       for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
       std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {

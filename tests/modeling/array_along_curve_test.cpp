@@ -1,13 +1,10 @@
 // Copies along curves: equal arc lengths, turns of rotation-minimising frames, and the curves of objects.
 
-#include <gtest/gtest.h>
-
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <cmath>
 #include <numbers>
 
-#include "core/document/edits/edits.hpp"
 #include "core/geometry/angles.hpp"
 #include "core/modeling/objects/arrange.hpp"
 #include "core/modeling/objects/object_curves.hpp"
@@ -97,8 +94,7 @@ TEST(ArrayAlongCurve, PlacesOfACirclePolygonAreAtEqualArcLengths) {
     layout.turning = CurveTurning::none;
     layout.carried = Vector3::Zero();
     ArrayedBox box;
-    const auto added = box.along(curve, layout);
-    ASSERT_TRUE(added.ok()) << to_string(added.error());
+    const auto added = test::must(box.along(curve, layout));
     ASSERT_EQ(added->document.objects.size(), std::size_t(count)) << "n distinct places, none doubled";
     for (int k = 0; k < count; ++k) {
       double way = std::fmod(layout.offset + k * whole / count, whole);
@@ -225,8 +221,7 @@ TEST(ArrayAlongCurve, CopiesStandToTheCurveAsTheOriginalDoes) {
     box.put(at);
     CurveLayout layout;
     layout.count = corners;
-    const auto added = box.along(curve, layout);
-    ASSERT_TRUE(added.ok()) << to_string(added.error());
+    const auto added = test::must(box.along(curve, layout));
     EXPECT_EQ(added->document.objects[0], box.document.objects[0]) << "the original stays";
     for (int k = 1; k < corners; ++k) {
       const Eigen::AngleAxisd turn(k * whole_turn / corners, place.rotation * Vector3::UnitZ());
@@ -242,11 +237,8 @@ TEST(ArrayAlongCurve, CopiesStandToTheCurveAsTheOriginalDoes) {
 TEST(ArrayAlongCurve, UprightCopiesTurnAboutTheVerticalAlone) {
   const ArcLengthCurve curve = path_curve({{0, 0, 0}, {2, 0, 1}, {4, 2, 3}, {4, 5, 1}, {1, 6, 0}}, false);
   ArrayedBox box;
-  CurveLayout layout;
-  layout.count = 9;
-  layout.turning = CurveTurning::upright;
-  const auto added = box.along(curve, layout);
-  ASSERT_TRUE(added.ok());
+  CurveLayout layout{.count = 9, .turning = CurveTurning::upright};
+  const auto added = test::must(box.along(curve, layout));
   const auto heading = [&](double way) {
     const Vector3 tangent = curve.at(way).frame.col(2);
     return std::atan2(tangent.y(), tangent.x());
@@ -284,15 +276,12 @@ TEST(ArrayAlongCurve, ASpacingGivesAsManyAsThereIsRoomFor) {
 
 TEST(ArrayAlongCurve, APointOfTheObjectsIsCarriedOntoTheCurve) {
   ArrayedBox box;
-  Similarity at;
-  at.translation = {50, 60, 70};
+  Similarity at{.translation = {50, 60, 70}};
   box.put(at);
   const ArcLengthCurve curve = polygon_curve({{1, 2, 3}, {5, 2, 3}, {5, 8, 3}}, false);
-  CurveLayout layout;
-  layout.count = 3;
+  CurveLayout layout{.count = 3};
   layout.carried = Vector3(50, 60, 69);
-  const auto added = box.along(curve, layout);
-  ASSERT_TRUE(added.ok());
+  const auto added = test::must(box.along(curve, layout));
   const auto point = [&](std::size_t i) { return added->document.objects[i]->transform.apply({0, 0, -1}); };
   EXPECT_LE((point(0) - Vector3(1, 2, 3)).norm(), 1e-12) << "the original is moved";
   EXPECT_LE((point(1) - Vector3(5, 3, 3)).norm(), 1e-12);
@@ -426,6 +415,30 @@ TEST(ObjectCurves, APathOfOnePointIsUnfinished) {
   const ObjectCurve path = curve_of_path(bent).value();
   EXPECT_EQ(place_on(path, 0, 0), Vector3(0, 0, 0));
   EXPECT_EQ(place_on(path, 1, 1), Vector3(1, 1, 0));
+}
+
+TEST(ObjectCurves, APointTellsWhichOfTheDrawnCurvesItBelongsTo) {
+  OutlineSource source;
+  Outline outline;
+  for (const double shift : {0.0, 5.0}) {
+    OutlineLoop& loop = outline.loops.emplace_back();
+    for (const Vector3& corner : {Vector3(0, 0, 0), Vector3(1, 0, 0), Vector3(0, 1, 0)}) {
+      loop.points.push_back(corner + Vector3(shift, 0, 0));
+      loop.normals.emplace_back(0, 0, 1);
+    }
+  }
+  source.outline = outline;
+  const auto added = add_object({}, "Loops", source).value();
+  const Object& loops = *added.document.find(added.id);
+  EXPECT_EQ(drawn_curve_count(loops).value_or(0), 2U);
+  EXPECT_EQ(drawn_curve_at(loops, VertexId{2}).value_or(9), 0U);
+  EXPECT_EQ(drawn_curve_at(loops, VertexId{3}).value_or(9), 1U);
+  EXPECT_FALSE(drawn_curve_at(loops, VertexId{6}).has_value());
+  EXPECT_EQ(place_on(drawn_curve_of(loops, 1).value(), 0, 0), Vector3(5, 0, 0));
+  const Object skin = skin_with_path({{0, 0, 0}, {1, 0, 0}}, false);
+  EXPECT_EQ(drawn_curve_count(skin).value_or(0), 1U);
+  EXPECT_EQ(drawn_curve_at(skin, VertexId{7}).value_or(9), 0U);
+  EXPECT_EQ(place_on(drawn_curve_of(skin, 0).value(), 0, 0), Vector3(0, 0, 0));
 }
 
 }  // namespace

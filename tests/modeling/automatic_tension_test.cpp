@@ -5,10 +5,8 @@
 #include "core/document/edits/edits.hpp"
 #include "tests/modeling/support.hpp"
 
-namespace hariko {
+namespace hariko::test {
 namespace {
-
-using namespace test;
 
 double longest_tangent(const PolyhedronSource& source) {
   const auto made = PolyhedronSurfacer().rebuild(surface_input(source).value()).value();
@@ -87,4 +85,4 @@ TEST(AutomaticTension, RestsInADragAndFollowsOnRelease) {
 }
 
 }  // namespace
-}  // namespace hariko
+}  // namespace hariko::test

@@ -1,12 +1,11 @@
 // Objects of Bezier patches of any degree: their surface, and what is done to them as a whole.
 
-#include <gtest/gtest.h>
-
 #include "core/document/convert_unit.hpp"
 #include "core/document/edits/edit_objects.hpp"
 #include "core/document/object_box.hpp"
 #include "core/modeling/objects/transformation.hpp"
 #include "core/modeling/surfacing/object_surfacer.hpp"
+#include "tests/support/must.hpp"
 
 namespace hariko {
 namespace {
@@ -34,7 +33,7 @@ Document half_cylinder() {
   return add_object({}, "half", Source(source.value())).value().document;
 }
 
-/// Of a point of the surface and of its normal.
+/// Middle of a patch, and the surface's normal there.
 std::pair<Vector3, Vector3> middle(const Document& document, Index patch) {
   const Object& object = *document.objects[0];
   const Surface surface = object_surface(document, object).value().surface;
@@ -48,8 +47,7 @@ TEST(BezierObject, PatchesAreWeldedAndExact) {
   const Object& object = *document.objects[0];
   EXPECT_TRUE(object.has_surface());
   EXPECT_EQ(object.cage(), nullptr);
-  const auto built = object_surface(document, object);
-  ASSERT_TRUE(built.ok());
+  const auto built = test::must(object_surface(document, object));
   EXPECT_EQ(built->surface.seams().size(), 1U);
   for (const Index patch : {0U, 1U}) {
     const auto [point, normal] = middle(document, patch);
@@ -74,8 +72,7 @@ TEST(BezierObject, StretchedAndMirroredTheOutsideStaysOutside) {
 
 TEST(BezierObject, UnitsScaleIt) {
   const Document document = half_cylinder();
-  const auto inches = convert_unit(document, Unit::inch);
-  ASSERT_TRUE(inches.ok());
+  const auto inches = test::must(convert_unit(document, Unit::inch));
   EXPECT_NEAR(middle(*inches, 0).first.head<2>().norm(), 1 / 25.4, 1e-12);
 }
 

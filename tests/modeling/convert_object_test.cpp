@@ -1,7 +1,5 @@
 #include "core/modeling/surfacing/convert_object.hpp"
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
 
 #include "core/approximation/surface_projector.hpp"
@@ -16,6 +14,7 @@
 #include "core/gaussmap/outline_polyhedron.hpp"
 #include "core/gaussmap/outlines/outline_check.hpp"
 #include "core/modeling/surfacing/object_surfacer.hpp"
+#include "tests/support/must.hpp"
 #include "tests/support/places.hpp"
 
 namespace hariko {
@@ -40,16 +39,14 @@ TEST(ConvertObject, TheSurfaceStaysAsItIsToTheLastBit) {
                    (frames == Frames::metric ? " by measure" : ""));
       const Document document = with_outline(name, g2, frames);
       const ObjectId id = document.objects[0]->id;
-      const auto converted = convert_outline(document, id);
-      ASSERT_TRUE(converted.ok()) << to_string(converted.error());
+      const auto converted = test::must(convert_outline(document, id));
       const PolyhedronSource* polyhedron = converted->objects[0]->polyhedron();
       ASSERT_TRUE(polyhedron);
       EXPECT_EQ(converted->objects[0]->name, "Outline");
       EXPECT_EQ(polyhedron->mode, g2 ? Mode::g2 : Mode::fair);
       EXPECT_EQ(polyhedron->frames, frames);
-      const auto before = object_surface(document, *document.objects[0]);
-      const auto after = object_surface(*converted, *converted->objects[0]);
-      ASSERT_TRUE(before.ok() && after.ok());
+      const auto before = test::must(object_surface(document, *document.objects[0]));
+      const auto after = test::must(object_surface(*converted, *converted->objects[0]));
       ASSERT_EQ(before->surface.patch_count(), after->surface.patch_count());
       EXPECT_EQ(before->surface.origin(), after->surface.origin());
       for (Index patch = 0; patch < before->surface.patch_count(); ++patch)
@@ -71,10 +68,8 @@ TEST(ConvertObject, TheSurfaceStaysAsItIsToTheLastBit) {
 TEST(ConvertObject, AnOutlineWithoutFramesHasTheSurfaceOfEqualOnes) {
   const Document document = with_outline("ellipsoid_cap", false, Frames::equal);
   const OutlineSource& outline = *document.objects[0]->outline();
-  const auto points = control_points(*outline.outline, gauss_options(outline.settings));
-  ASSERT_TRUE(points.ok());
-  const auto polyhedron = outline_polyhedron(*points);
-  ASSERT_TRUE(polyhedron.ok());
+  const auto points = test::must(control_points(*outline.outline, gauss_options(outline.settings)));
+  const auto polyhedron = test::must(outline_polyhedron(*points));
   EXPECT_TRUE(polyhedron->shaping.form.empty());
   const auto before = PolyhedronSurfacer().rebuild(
       {polyhedron->polyhedron, polyhedron->shaping, Mode::fair, polyhedron->origin});
@@ -93,7 +88,7 @@ Document with_solids(const std::string& name, EnvelopeMethod method) {
   return add_object({}, "Solids", SolidsSource{std::move(input), {}}).value().document;
 }
 
-/// What the polyhedron's surface says of itself is looked for again.
+/// Measures again how far the conversion says that its surface is from the original.
 void expect_told_distances(const SolidsPolyhedron& converted, const EnvelopeSurface& made,
                            const EnvelopeInput& input, const Surface& surface) {
   // A network has few corners, between which a polyhedron's surface goes its own way.
@@ -111,14 +106,12 @@ TEST(ConvertObject, ANetworksVerticesAreInterpolatedWithTheirNormals) {
     SCOPED_TRACE(name);
     const Document document = with_solids(name, EnvelopeMethod::network);
     const SolidsSource& solids = *document.objects[0]->solids();
-    const auto converted = solids_polyhedron(solids);
-    ASSERT_TRUE(converted.ok()) << to_string(converted.error());
+    const auto converted = test::must(solids_polyhedron(solids));
     EXPECT_EQ(converted->source.frames, Frames::metric);
     const auto made = EnvelopeSurfacer().rebuild(*solids.input);
     ASSERT_TRUE(made.ok() && made->network);
     const auto added = add_object({}, "Polyhedron", converted->source).value();
-    const auto surface = object_surface(added.document, *added.document.objects[0]);
-    ASSERT_TRUE(surface.ok()) << to_string(surface.error());
+    const auto surface = test::must(object_surface(added.document, *added.document.objects[0]));
     const auto& vertices = made->network->cage.vertices;
     ASSERT_EQ(converted->source.polyhedron.vertex_count(), vertices.size());
     EXPECT_TRUE(surface->surface.boundary_sides().empty());
@@ -147,8 +140,7 @@ TEST(ConvertObject, TheBallsQuadsKeepTheirCornersAndNormals) {
   const SolidsSource solids{input, {}};
   const auto made = EnvelopeSurfacer().rebuild(input);
   ASSERT_TRUE(made.ok() && made->cage);
-  const auto converted = solids_polyhedron(solids);
-  ASSERT_TRUE(converted.ok()) << to_string(converted.error());
+  const auto converted = test::must(solids_polyhedron(solids));
   const PolyhedronSource& source = converted->source;
   ASSERT_EQ(source.polyhedron.vertex_count(), made->surface.node_count());
   EXPECT_EQ(source.polyhedron.face_count(), made->surface.patch_count());
@@ -158,8 +150,7 @@ TEST(ConvertObject, TheBallsQuadsKeepTheirCornersAndNormals) {
     EXPECT_EQ(pin->vectors[0], made->surface.node_normal(v));
   }
   const auto added = add_object({}, "Polyhedron", source).value();
-  const auto surface = object_surface(added.document, *added.document.objects[0]);
-  ASSERT_TRUE(surface.ok());
+  const auto surface = test::must(object_surface(added.document, *added.document.objects[0]));
   expect_told_distances(*converted, *made, input, surface->surface);
 }
 
@@ -170,8 +161,7 @@ TEST(ConvertObject, SaysWhatItCannotDo) {
   EXPECT_EQ(convert_outline(bad, ObjectId{77}).error().code, e_unknown_object);
   EXPECT_EQ(convert_outline(set_locked(bad, id, true).value(), id).error().code, e_locked);
   const Document cap = with_outline("sphere_cap", false);
-  const auto once = convert_outline(cap, id);
-  ASSERT_TRUE(once.ok());
+  const auto once = test::must(convert_outline(cap, id));
   EXPECT_EQ(convert_outline(*once, id).error().code, e_wrong_kind);
 }
 

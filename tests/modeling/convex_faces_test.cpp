@@ -10,10 +10,8 @@
 #include "tests/modeling/support.hpp"
 #include "tests/support/golden.hpp"
 
-namespace hariko {
+namespace hariko::test {
 namespace {
-
-using namespace test;
 
 PolyhedronSource splitting(PolyhedronSource source) {
   source.preparation.split_concave = true;
@@ -87,8 +85,7 @@ TEST(ConvexFaces, RandomPrismsAreCutWithoutNewVertices) {
   for_random(4101, 100, [&](std::mt19937_64& rng) {
     ++total;
     PolyhedronSource source = splitting(with_gaps(source_of(random_concave_prism(rng)), rng));
-    const auto convex = with_convex_faces(source);
-    ASSERT_TRUE(convex) << to_string(convex.error());
+    const auto convex = must(with_convex_faces(source));
     cut += convex->cuts.empty() ? 0 : 1;
     EXPECT_EQ(convex->source.polyhedron.vertex_count(), source.polyhedron.vertex_count());
     EXPECT_EQ(concave_count(convex->source.polyhedron), 0U);
@@ -136,4 +133,4 @@ TEST(ConvexFaces, ADragThatKeepsTheCutsKeepsTheTopology) {
 }
 
 }  // namespace
-}  // namespace hariko
+}  // namespace hariko::test

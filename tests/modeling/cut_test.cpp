@@ -6,10 +6,9 @@
 #include "core/modeling/cuts/diagonal.hpp"
 #include "tests/modeling/support.hpp"
 
-namespace hariko {
+namespace hariko::test {
 namespace {
 
-using namespace test;
 using Vertices = std::vector<VertexId>;
 using Edges = std::vector<EdgeId>;
 
@@ -168,4 +167,4 @@ TEST(CutPath, RandomPaths) {
 }
 
 }  // namespace
-}  // namespace hariko
+}  // namespace hariko::test

@@ -27,17 +27,16 @@
 #include "core/modeling/surfacing/project_to_reference.hpp"
 #include "tests/modeling/support.hpp"
 
-namespace hariko {
+namespace hariko::test {
 namespace {
 
-using namespace test;
 using Rng = std::mt19937_64;
 
 struct Operation {
   const char* name;
   std::function<Result<EditResult>(const PolyhedronSource&, Rng&)> run;
   bool keeps_euler = true;
-  int least = 50;  ///< of 300 meshes on which it must succeed
+  int least = 50;  ///< number out of 300 meshes on which it must succeed
 };
 
 EdgeId some_edge(const PolyhedronSource& source, Rng& rng) {
@@ -49,12 +48,6 @@ FaceId some_face(const PolyhedronSource& source, Rng& rng) {
 VertexId corner_of(const PolyhedronSource& source, FaceId face, Rng& rng) {
   const auto corners = source.polyhedron.topology().face_vertices(source.polyhedron.find(face));
   return source.polyhedron.vertex_id(corners[rng() % corners.size()]);
-}
-std::vector<EdgeId> border_edges(const PolyhedronSource& source) {
-  std::vector<EdgeId> out;
-  for (Index e = 0; e < source.polyhedron.edge_count(); ++e)
-    if (source.polyhedron.topology().is_border_edge(e)) out.push_back(source.polyhedron.edge_id(e));
-  return out;
 }
 double amount(const PolyhedronSource& source, Rng& rng) {
   return random_amount(rng, size_of(source) / 10);
@@ -84,7 +77,8 @@ std::vector<Operation> making() {
        },
        false},
       {"extrude borders",
-       [](const auto& s, Rng& rng) { return extrude_borders(s, border_edges(s), amount(s, rng)); }, true, 20},
+       [](const auto& s, Rng& rng) { return extrude_borders(s, border_edges(s.polyhedron), amount(s, rng)); },
+       true, 20},
       {"inset",
        [](const auto& s, Rng& rng) {
          return inset_faces(s, random_faces(s, rng),
@@ -162,10 +156,11 @@ std::vector<Operation> tidying() {
       {"bridge faces",
        [](const auto& s, Rng& rng) { return bridge_faces(s, some_face(s, rng), some_face(s, rng)); }, false,
        20},
-      {"bridge borders", [](const auto& s, Rng&) { return bridge_borders(s, border_edges(s)); }, false, 1},
+      {"bridge borders", [](const auto& s, Rng&) { return bridge_borders(s, border_edges(s.polyhedron)); },
+       false, 1},
       {"fill hole",
        [](const auto& s, Rng& rng) {
-         const auto borders = border_edges(s);
+         const auto borders = border_edges(s.polyhedron);
          const EdgeId edge = borders.empty() ? some_edge(s, rng) : borders[rng() % borders.size()];
          return fill_holes(s, std::vector<EdgeId>{edge});
        },
@@ -246,4 +241,4 @@ TEST(EveryOperation, ThatTidiesIsAStepOrARefusal) {
 }
 
 }  // namespace
-}  // namespace hariko
+}  // namespace hariko::test

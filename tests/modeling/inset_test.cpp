@@ -63,8 +63,7 @@ TEST(InsetFaces, TheBandIsEvenlyWide) {
     const PolyhedronSource source = source_of(mesh);
     const Faces faces{source.polyhedron.face_id(static_cast<Index>(rng() % source.polyhedron.face_count()))};
     const double width = uniform(rng, 0.1, 0.9) * largest_inset(source, faces, Grouping::region).value();
-    const auto result = inset_faces(source, faces, {.amount = width});
-    ASSERT_TRUE(result) << to_string(result.error());
+    const auto result = must(inset_faces(source, faces, {.amount = width}));
     const Index before = source.polyhedron.find(faces[0]);
     const Polyhedron& after = result->source.polyhedron;
     const auto old = corners_of(source.polyhedron, before), rim = corners_of(after, after.find(faces[0]));

@@ -1,13 +1,12 @@
 // Arrays as live copies stand where arrays of objects stand, and what works on whole objects counts them.
 
-#include <gtest/gtest.h>
-
 #include <Eigen/Geometry>
+#include <algorithm>
 
-#include "core/document/edits/edits.hpp"
 #include "core/modeling/objects/arrange.hpp"
 #include "core/modeling/objects/patch_objects.hpp"
 #include "core/modeling/operations/join.hpp"
+#include "core/polyhedron/volume.hpp"
 #include "tests/modeling/support.hpp"
 
 namespace hariko {
@@ -42,8 +41,7 @@ void expect_same_things(const Result<Document>& live, const Result<AddedObjects>
   ASSERT_TRUE(live.ok()) << to_string(live.error());
   ASSERT_TRUE(arrayed.ok()) << to_string(arrayed.error());
   EXPECT_EQ(live->objects.size(), ids.size()) << "no object is added";
-  const auto made = copies_to_objects(*live, ids);
-  ASSERT_TRUE(made.ok()) << to_string(made.error());
+  const auto made = test::must(copies_to_objects(*live, ids));
   ASSERT_EQ(made->document.objects.size(), arrayed->document.objects.size());
   for (std::size_t i = 0; i < made->document.objects.size(); ++i) {
     const Object &own = *made->document.objects[i], &wanted = *arrayed->document.objects[i];
@@ -81,8 +79,7 @@ TEST(LiveArrays, AlongCurvesAreTheArraysOfObjects) {
     const auto curve = ArcLengthCurve::make(std::move(pieces), false).value();
     for (const CurveTurning turning : {CurveTurning::with_curve, CurveTurning::upright, CurveTurning::none})
       for (const bool carried : {false, true}) {
-        CurveLayout layout;
-        layout.count = 6;
+        CurveLayout layout{.count = 6};
         layout.turning = turning;
         if (carried) layout.carried = Vector3(1, 2, 3);
         expect_same_things(live_copies_along_curve(before, ids, curve, layout),
@@ -105,8 +102,7 @@ TEST(LiveArrays, OfMirroredCopiesAreMirrored) {
     const RingAxis axis{test::random_vector(rng, 5), test::random_vector(rng) + Vector3(0, 0, 2)};
     const Document before =
         add_live_copies(things, std::span(&id, 1), ring_of_copies(4, axis, 360).value()).value();
-    const auto after = mirrored_copies(before, std::span(&id, 1), {0, 2});
-    ASSERT_TRUE(after.ok()) << to_string(after.error());
+    const auto after = test::must(mirrored_copies(before, std::span(&id, 1), {0, 2}));
     const Object &own = *before.find(id), &image = *after->document.find(after->ids[0]);
     const auto from = places_of(own), to = places_of(image);
     ASSERT_EQ(from.size(), to.size());
@@ -122,6 +118,42 @@ TEST(LiveArrays, OfMirroredCopiesAreMirrored) {
   });
 }
 
+/// A live copy of one mirror image, made an object, is the object that a mirrored copy makes.
+TEST(LiveArrays, OfMirrorsAreMirroredCopies) {
+  test::for_random(824, 10, [](std::mt19937_64& rng) {
+    const Document before = two_things(rng);
+    const auto ids = ids_of_things(before);
+    for (int axis = 0; axis < 3; ++axis) {
+      const MirrorPlane plane{axis, test::uniform(rng, -5, 5)};
+      expect_same_things(add_live_copies(before, ids, mirror_of_copies(plane)),
+                         mirrored_copies(before, ids, plane), ids);
+    }
+  });
+}
+
+/// Faces of joined mirror images look outward: the volumes of all parts are positive.
+TEST(LiveArrays, OfMirrorsThatAreJoinedBecomeReflectedParts) {
+  const Document prism = document_from_mesh(test::prism(5), "Prism").value();
+  const auto second = duplicate_object(prism, prism.objects[0]->id).value();
+  const std::vector<ObjectId> ids = ids_of_things(second.document);
+  Document document = set_copies(second.document, ids[0], {MirrorOfCopies{{5, 0, 0}, {1, 0, 0}}}).value();
+  document =
+      set_copies(document, ids[1], {RowOfCopies{2, {0, 9, 0}}, MirrorOfCopies{{0, 0, 7}, {0, 1, 2}}}).value();
+  const Eigen::AlignedBox3d before =
+      world_box(*document.find(ids[0])).merged(world_box(*document.find(ids[1])));
+  const auto joined = test::must(join_objects(document, ids));
+  const Object& all = *joined->objects[0];
+  const Polyhedron& shape = all.polyhedron()->polyhedron;
+  EXPECT_EQ(shape.face_count(), 6U * 7U);
+  EXPECT_LT((world_box(all).max() - before.max()).norm(), 1e-12);
+  EXPECT_LT((world_box(all).min() - before.min()).norm(), 1e-12);
+  const Polyhedron& single = prism.objects[0]->polyhedron()->polyhedron;
+  const double one = closed_component_volumes(single.topology(), single.positions()).front();
+  const std::vector<double> volumes = closed_component_volumes(shape.topology(), shape.positions());
+  ASSERT_EQ(volumes.size(), 6U);
+  for (const double volume : volumes) EXPECT_NEAR(volume, one, 1e-9);
+}
+
 TEST(LiveArrays, ThatAreJoinedBecomeParts) {
   const Document box = document_from_mesh(test::cube(), "Box").value();
   const auto second = duplicate_object(box, box.objects[0]->id).value();
@@ -130,8 +162,7 @@ TEST(LiveArrays, ThatAreJoinedBecomeParts) {
   document = set_copies(document, ids[1], {RowOfCopies{2, {0, 9, 0}}}).value();
   const Eigen::AlignedBox3d before =
       world_box(*document.find(ids[0])).merged(world_box(*document.find(ids[1])));
-  const auto joined = join_objects(document, ids);
-  ASSERT_TRUE(joined.ok()) << to_string(joined.error());
+  const auto joined = test::must(join_objects(document, ids));
   ASSERT_EQ(joined->objects.size(), 1U);
   const Object& all = *joined->objects[0];
   EXPECT_TRUE(all.copies->empty());
@@ -148,14 +179,36 @@ TEST(LiveArrays, ThatAreWeldedBecomePatches) {
   const auto second = duplicate_object(first.document, first.id).value();
   const std::vector<ObjectId> ids{first.id, second.id};
   Document document = set_copies(second.document, ids[0], {RowOfCopies{3, {1, 0, 0}}}).value();
-  Similarity above;
-  above.translation = {0, 1, 0};
+  Similarity above{.translation = {0, 1, 0}};
   document = set_transform(document, ids[1], above).value();
-  const auto welded = weld_patch_objects(document, ids);
-  ASSERT_TRUE(welded.ok()) << to_string(welded.error());
+  const auto welded = test::must(weld_patch_objects(document, ids));
   const Object& all = *welded->document.find(welded->object);
   EXPECT_EQ(all.bezier()->patches->size(), 4U);
   EXPECT_TRUE(all.copies->empty());
+}
+
+/// The mirror image of a plate in a plane across it looks to the same side, as the plate goes on there.
+TEST(LiveArrays, OfMirrorsThatAreWeldedLookToTheSameSide) {
+  BezierPatch patch;
+  patch.degree_s = patch.degree_t = 1;
+  patch.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}};
+  const auto first = add_object({}, "Plate", BezierSource::from_patches({patch}).value()).value();
+  const auto second = duplicate_object(first.document, first.id).value();
+  const std::vector<ObjectId> ids{first.id, second.id};
+  Document document = set_copies(second.document, ids[0], {MirrorOfCopies{{1, 0, 0}, {1, 0, 0}}}).value();
+  Similarity above{.translation = {0, 1, 0}};
+  document = set_transform(document, ids[1], above).value();
+  const auto welded = test::must(weld_patch_objects(document, ids));
+  const BezierSource& source = *welded->document.find(welded->object)->bezier();
+  const std::vector<BezierPatch>& patches = *source.patches;
+  ASSERT_EQ(patches.size(), 3U);
+  double farthest = 0;
+  for (const BezierPatch& one : patches) {
+    const Vector3 ds = one.points[1] - one.points[0], dt = one.points[2] - one.points[0];
+    EXPECT_GT(ds.cross(dt).z(), 0.5);
+    for (const Vector3& point : one.points) farthest = std::max(farthest, source.origin.x() + point.x());
+  }
+  EXPECT_NEAR(farthest, 2, 1e-12);
 }
 
 }  // namespace

@@ -73,8 +73,7 @@ TEST(LocalEdit, FreezingLeavesTheSurfaceAsItIs) {
     source.mode = static_cast<Mode>(uniform_int(rng, 0, 2));
     const VertexId v = any_vertex(source, rng);
     const auto around = vertices_around(source.polyhedron, std::span(&v, 1));
-    const auto frozen = freeze_tangents(source, around);
-    ASSERT_TRUE(frozen) << to_string(frozen.error());
+    const auto frozen = must(freeze_tangents(source, around));
     for (const VertexId id : around) EXPECT_TRUE(frozen->shaping->pin.contains(id));
     const auto before = PolyhedronSurfacer().rebuild(surface_input(source).value());
     const auto after = PolyhedronSurfacer().rebuild(surface_input(*frozen).value());
@@ -93,8 +92,7 @@ TEST(LocalEdit, PatchesFarFromItStayBitForBit) {
     source.mode = chance(rng, 0.5) ? Mode::paper : Mode::target;
     const VertexId v = any_vertex(source, rng);
     PolyhedronSurfacer surfacer;
-    const auto before = surfacer.rebuild(surface_input(source).value());
-    ASSERT_TRUE(before) << to_string(before.error());
+    const auto before = must(surfacer.rebuild(surface_input(source).value()));
 
     const PolyhedronSource frozen =
         freeze_tangents(source, vertices_around(source.polyhedron, std::span(&v, 1))).value();
@@ -150,8 +148,7 @@ TEST(LocalEdit, InTheMirrorsPlaneThePlaneIsFixed) {
     moved.push_back(half.polyhedron.position(i) - left * Vector3::UnitX());
   }
   half.polyhedron = half.polyhedron.with_positions(dense, moved).value();
-  const auto frozen = freeze_tangents(half, all);
-  ASSERT_TRUE(frozen) << to_string(frozen.error());
+  const auto frozen = must(freeze_tangents(half, all));
   int planes = 0, tangents = 0;
   for (const auto& [id, pin] : frozen->shaping->pin) (pin.kind == Pin::Kind::normal ? planes : tangents) += 1;
   EXPECT_GT(planes, 0);

@@ -8,10 +8,8 @@
 #include "core/modeling/selection/edge_paths.hpp"
 #include "tests/modeling/support.hpp"
 
-namespace hariko {
+namespace hariko::test {
 namespace {
-
-using namespace test;
 
 TEST(EdgePaths, OnATorus) {
   const Polyhedron torus = source_of(test::torus(8, 5)).polyhedron;
@@ -171,4 +169,4 @@ TEST(LoopCut, RandomMeshes) {
 }
 
 }  // namespace
-}  // namespace hariko
+}  // namespace hariko::test

@@ -2,11 +2,8 @@
 
 #include "core/modeling/measuring/measured_dimension.hpp"
 
-#include <gtest/gtest.h>
-
 #include <Eigen/Geometry>
 #include <cmath>
-#include <map>
 #include <numbers>
 
 #include "core/document/edits/edits.hpp"
@@ -73,8 +70,7 @@ TEST(MeasuredDimension, FollowsVerticesAndPlacement) {
   const std::vector<Vector3> to{{4, -1, -1}};
   const Document longer = move_vertices(document, first_object, moved, to).value();
   EXPECT_EQ(value_of(longer, DimensionKind::distance, edge), 5);
-  Similarity place;
-  place.scale = 3;
+  Similarity place{.scale = 3};
   place.rotation = Eigen::AngleAxisd(0.7, Vector3(1, 2, 3).normalized());
   place.translation = {10, 20, -5};
   const Document placed = set_transform(longer, first_object, place).value();
@@ -123,9 +119,7 @@ TEST(MeasuredDimension, RadiiOfASphereAtAnySize) {
   for (const double radius : {1e-3, 2.5, 1e6}) {
     const Surface sphere = test::sphere(radius);
     Document document = cube_to_measure();
-    Similarity place;
-    place.scale = 2;
-    place.translation = {1e6, -1e6, 0};
+    Similarity place{.scale = 2, .translation = {1e6, -1e6, 0}};
     document = set_transform(document, first_object, place).value();
     const Anchor anchor = patch_anchor(sphere, first_object, {5, {0.3, 0.25}});
     const auto found =
@@ -191,9 +185,7 @@ TEST(MeasuredDimension, TheNearestPointOfASurfaceIsFound) {
 }
 
 TEST(MeasuredDimension, NearestPointsFollowASurfaceWhosePatchesCome) {
-  Solid ball;
-  ball.kind = SolidKind::sphere;
-  ball.radius = 5;
+  Solid ball{.kind = SolidKind::sphere, .radius = 5};
   const auto document_of = [&](double radius) {
     Solid solid = ball;
     solid.radius = radius;
@@ -204,8 +196,7 @@ TEST(MeasuredDimension, NearestPointsFollowASurfaceWhosePatchesCome) {
   const Anchor top = NearestAnchor{first_object, {0, 0, 5}};
   for (const double radius : {5.0, 7.0}) {
     const Document document = document_of(radius);
-    const auto made = object_surface(document, *document.find(first_object));
-    ASSERT_TRUE(made) << to_string(made.error());
+    const auto made = test::must(object_surface(document, *document.find(first_object)));
     const auto place = anchor_place(document, top, only(made->surface));
     ASSERT_TRUE(place);
     EXPECT_NEAR(place->norm(), radius, 0.15 * radius);

@@ -2,8 +2,6 @@
 
 #include "core/modeling/mesh_editor.hpp"
 
-#include <gtest/gtest.h>
-
 #include "core/document/edits/edits.hpp"
 #include "core/document/history/history.hpp"
 #include "core/modeling/objects/edit_modeling.hpp"

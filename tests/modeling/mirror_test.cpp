@@ -1,8 +1,6 @@
 // Live mirrors: the whole is a symmetric manifold, smooth across the plane, with names of the half; and
 // mirrored objects.
 
-#include <gtest/gtest.h>
-
 #include <limits>
 
 #include "core/analysis/continuity.hpp"
@@ -16,12 +14,8 @@
 #include "tests/modeling/operation_cases.hpp"
 #include "tests/modeling/support.hpp"
 
-namespace hariko {
+namespace hariko::test {
 namespace {
-
-using test::euler_number;
-using test::size_of;
-using test::source_of;
 
 /// The right half of a box: x = 0 .. 1, open at x = 0, where the vertices are off by up to 1e-4.
 PolyhedronSource half_box() {
@@ -88,8 +82,7 @@ double asymmetry(const Surface& surface, const HalfEdgeMesh& half, Axis axis) {
 
 TEST(Mirror, HalfABoxBecomesABox) {
   const PolyhedronSource half = half_box();
-  const auto whole = mirrored(half);
-  ASSERT_TRUE(whole.ok()) << to_string(whole.error());
+  const auto whole = test::must(mirrored(half));
   const Polyhedron& box = whole->polyhedron;
   EXPECT_EQ(half.polyhedron.vertex_count(), 17U);
   EXPECT_EQ(box.vertex_count(), 26U);
@@ -115,10 +108,8 @@ TEST(Mirror, SurfacesAreSmoothAcrossThePlaneAndSymmetric) {
     shaping.alpha.set(half.polyhedron.vertex_id(3), 2);
     shaping.beta.set(half.polyhedron.edge_id(5), 3);
     half.shaping = shaping;
-    const auto input = surface_input(half);
-    ASSERT_TRUE(input.ok());
-    const auto made = PolyhedronSurfacer().rebuild(*input);
-    ASSERT_TRUE(made.ok()) << to_string(made.error());
+    const auto input = test::must(surface_input(half));
+    const auto made = test::must(PolyhedronSurfacer().rebuild(*input));
     const ContinuityReport report = continuity(made->surface);
     EXPECT_LE(*report.largest_normal_jump, 1e-10);
     EXPECT_LE(report.largest_gap, 1e-13);
@@ -196,9 +187,7 @@ bool random_surface_is_symmetric_and_smooth(std::mt19937_64& rng) {
   half.shaping = test::random_shaping(half.polyhedron, rng, 5, 0.3, 3);
   const auto input = surface_input(half);
   if (!input.ok()) return false;
-  const auto made = PolyhedronSurfacer().rebuild(*input);
-  EXPECT_TRUE(made.ok()) << to_string(made.error());
-  if (!made.ok()) return false;
+  const auto made = test::must(PolyhedronSurfacer().rebuild(*input));
   const double size = size_of(input->polyhedron);
   EXPECT_LE(asymmetry(made->surface, half.polyhedron.topology(), half.mirror->axis), 1e-12 * size);
   EXPECT_LE(continuity(made->surface).largest_normal_jump.value_or(0), 1e-10);
@@ -232,8 +221,7 @@ TEST(Mirror, MovingKeepsTheConnectivity) {
     for (Eigen::Index k = 0; k < 3; ++k)
       if (k != index_of(half.mirror->axis)) p[k] += half.mirror->weld_distance;
     half.polyhedron = half.polyhedron.with_positions(std::span(&v, 1), std::span(&p, 1)).value();
-    const auto second = surface_input(half, Quality::final, &kept);
-    ASSERT_TRUE(second.ok());
+    const auto second = test::must(surface_input(half, Quality::final, &kept));
     EXPECT_EQ(second->polyhedron.shared_topology(), first->polyhedron.shared_topology());
     EXPECT_EQ(second->aliases, first->aliases);
     const auto fresh = surface_input(half);
@@ -258,8 +246,7 @@ TEST(Mirror, TheSeamStaysInThePlaneWhenMoved) {
     ids.push_back(half.polyhedron.vertex_id(v));
     positions.push_back(half.polyhedron.position(v) + Vector3(0.5, 0.25, 0));
   }
-  const auto moved = move_vertices(document, {1}, ids, positions);
-  ASSERT_TRUE(moved.ok());
+  const auto moved = test::must(move_vertices(document, {1}, ids, positions));
   const PolyhedronSource& after = *moved->objects[0]->polyhedron();
   for (Index v = 0; v < after.polyhedron.vertex_count(); ++v) {
     const Vector3 p = after.origin + after.polyhedron.position(v);
@@ -276,8 +263,7 @@ TEST(Mirror, ApplyingGivesTheSameSurface) {
   shaping.crease.set(half.polyhedron.edge_id(7), true);
   half.shaping = shaping;
   const Document document = add_object({}, "Half", half)->document;
-  const auto applied = edit_polyhedron(document, {1}, apply_mirror);
-  ASSERT_TRUE(applied.ok());
+  const auto applied = test::must(edit_polyhedron(document, {1}, apply_mirror));
   const PolyhedronSource& whole = *applied->document.objects[0]->polyhedron();
   EXPECT_FALSE(whole.mirror.has_value());
   EXPECT_EQ(applied->selection.faces.size(), half.polyhedron.face_count());
@@ -301,8 +287,7 @@ TEST(Mirror, PinsOfTheSeamAreTheirOwnImage) {
   shaping.pin.set(on_id, {Pin::Kind::normal, {Vector3(1, 2, 3)}});
   shaping.pin.set(off_id, {Pin::Kind::normal, {Vector3(1, 2, 3)}});
   half.shaping = shaping;
-  const auto whole = mirrored(half);
-  ASSERT_TRUE(whole.ok());
+  const auto whole = test::must(mirrored(half));
   EXPECT_EQ(whole->shaping.pin.find(on_id)->vectors[0], Vector3(0, 2, 3));
   EXPECT_EQ(whole->shaping.pin.find(off_id)->vectors[0], Vector3(1, 2, 3));
   bool found = false;
@@ -322,19 +307,15 @@ TEST(Mirror, RefusesDoubledEdgesAndSillyDistances) {
   PolyhedronSource source = source_of(strip);
   source.mirror = Mirror{Axis::x, 1e-6};
   const auto whole = mirrored(source);
-  ASSERT_FALSE(whole.ok());
-  EXPECT_EQ(whole.error().code, e_mirror_nonmanifold);
+  test::must_fail(whole, e_mirror_nonmanifold);
   EXPECT_EQ(whole.error().element, element_of(EdgeId{{1}, {5}}));
   test::expect_refusal(whole.error());
   const Document document = document_from_mesh(test::cube(), "Cube").value();
   for (const double bad :
        {-1.0, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
-    const auto refused = set_mirror(document, {1}, Mirror{Axis::y, bad});
-    ASSERT_FALSE(refused.ok());
-    EXPECT_EQ(refused.error().code, e_mirror_invalid);
+    test::must_fail(set_mirror(document, {1}, Mirror{Axis::y, bad}), e_mirror_invalid);
   }
-  const auto set = set_mirror(document, {1}, Mirror{Axis::y, 0.5});
-  ASSERT_TRUE(set.ok());
+  const auto set = test::must(set_mirror(document, {1}, Mirror{Axis::y, 0.5}));
   EXPECT_FALSE(*set == document);
   EXPECT_TRUE(set_mirror(*set, {1}, std::nullopt).value() == document);
 }
@@ -345,13 +326,11 @@ TEST(Halve, ABoxBecomesItsHalfAndTheMirrorGivesItBack) {
       PolyhedronSource box =
           source_of(*make_primitive(BoxShape{{2, 4, 6}, {segments, segments, segments}, {}}));
       const Mirror mirror{axis, 1e-6};
-      const auto half = halved(box, mirror);
-      ASSERT_TRUE(half.ok()) << to_string(half.error());
+      const auto half = test::must(halved(box, mirror));
       PolyhedronSource source = half->source;
       EXPECT_EQ(euler_number(source.polyhedron), 1);
       source.mirror = mirror;
-      const auto whole = mirrored(source);
-      ASSERT_TRUE(whole.ok()) << to_string(whole.error());
+      const auto whole = test::must(mirrored(source));
       EXPECT_EQ(euler_number(whole->polyhedron), 2);
       EXPECT_NEAR(closed_component_volumes(whole->polyhedron.topology(), whole->polyhedron.positions())[0],
                   48, 1e-12);
@@ -401,8 +380,7 @@ TEST(MirrorObject, PinnedTangentsGiveTheMirroredSurface) {
     PolyhedronSource source = source_of(test::random_polyhedron(rng));
     source.mode = Mode::target;
     Shaping shaping = test::random_shaping(source.polyhedron, rng, 5, 0.3, 3);
-    const auto frames = build_vertex_frames(source.polyhedron, shaping);
-    ASSERT_TRUE(frames.ok());
+    const auto frames = test::must(build_vertex_frames(source.polyhedron, shaping));
     for (Index v = 0; v < source.polyhedron.vertex_count(); ++v) {
       if (!test::chance(rng, 0.3)) continue;
       Pin pin{Pin::Kind::tangents, {}};
@@ -429,4 +407,4 @@ TEST(MirrorObject, PinnedTangentsGiveTheMirroredSurface) {
 }
 
 }  // namespace
-}  // namespace hariko
+}  // namespace hariko::test

@@ -1,8 +1,6 @@
 // Mirror images of objects of every kind: where their points lie, what they look at, and that the image of an
 // image is the object again.
 
-#include <gtest/gtest.h>
-
 #include <Eigen/Geometry>
 #include <array>
 #include <map>
@@ -11,7 +9,6 @@
 #include "core/document/edits/edits.hpp"
 #include "core/document/file.hpp"
 #include "core/modeling/objects/arrange.hpp"
-#include "core/modeling/objects/mirrored_source.hpp"
 #include "core/modeling/objects/parabolic_grid.hpp"
 #include "core/modeling/surfacing/object_surfacer.hpp"
 #include "core/polyhedron/volume.hpp"
@@ -96,8 +93,7 @@ TEST(MirroredCopies, SurfacesAreReflectedAndLookOutwards) {
       SCOPED_TRACE(kind + " across axis " + std::to_string(axis));
       const MirrorPlane plane{axis, 0};
       const auto one = add_object({}, "Thing", source).value();
-      const auto added = mirrored_copies(one.document, std::array{one.id}, plane);
-      ASSERT_TRUE(added.ok()) << to_string(added.error());
+      const auto added = test::must(mirrored_copies(one.document, std::array{one.id}, plane));
       const SurfaceMoments own = moments_of(one.document, one.id);
       const SurfaceMoments image = moments_of(added->document, added->ids[0]);
       // Surfaces of solids and outlines choose their patches anew.
@@ -114,8 +110,7 @@ TEST(MirroredCopies, SurfacesAreReflectedAndLookOutwards) {
 TEST(MirroredCopies, FacetsLookOutwards) {
   const Source source = mirrorable_sources().at("mesh");
   const auto one = add_object({}, "Thing", source).value();
-  const auto added = mirrored_copies(one.document, std::array{one.id}, {1, 2});
-  ASSERT_TRUE(added.ok());
+  const auto added = test::must(mirrored_copies(one.document, std::array{one.id}, {1, 2}));
   const MeshSource &own = *one.document.objects[0]->mesh(), &image = *added->document.objects[1]->mesh();
   const auto volume = [](const MeshSource& mesh) {
     const auto polyhedron = Polyhedron::build(*mesh.mesh).value();
@@ -145,8 +140,7 @@ TEST(MirroredCopies, BoxesAreReflectedWhereverTheyStand) {
         SCOPED_TRACE(kind);
         if (kind == "solids") continue;  // their boxes are not those of their points
         const auto one = add_object({}, "Thing", source, placed_at_will(rng, scale, far)).value();
-        const auto added = mirrored_copies(one.document, std::array{one.id}, plane);
-        ASSERT_TRUE(added.ok()) << to_string(added.error());
+        const auto added = test::must(mirrored_copies(one.document, std::array{one.id}, plane));
         Eigen::AlignedBox3d wanted;
         const Eigen::AlignedBox3d own = world_box(*one.document.objects[0]);
         wanted.extend(plane.image(own.min()));
@@ -167,10 +161,8 @@ TEST(MirroredCopies, TheImageOfTheImageIsTheObjectAgain) {
     for (const auto& [kind, source] : sources) {
       SCOPED_TRACE(kind);
       const auto one = add_object({}, "Thing", source, placed_at_will(rng, 1, Vector3::Zero())).value();
-      const auto once = mirrored_copies(one.document, std::array{one.id}, plane);
-      ASSERT_TRUE(once.ok());
-      const auto twice = mirrored_copies(once->document, once->ids, plane);
-      ASSERT_TRUE(twice.ok());
+      const auto once = test::must(mirrored_copies(one.document, std::array{one.id}, plane));
+      const auto twice = test::must(mirrored_copies(once->document, once->ids, plane));
       const Object &own = *one.document.objects[0], &again = *twice->document.find(twice->ids[0]);
       EXPECT_LE((again.transform.translation - own.transform.translation).norm(),
                 1e-14 * (1 + own.transform.translation.norm()));
@@ -195,8 +187,7 @@ TEST(MirroredCopies, PointsOfATurnedPolyhedronAreReflectedOneByOne) {
     const PolyhedronSource source = test::random_shape_source(rng);
     const auto one = add_object({}, "Thing", source, placed_at_will(rng, 1, Vector3::Zero())).value();
     const MirrorPlane plane{test::uniform_int(rng, 0, 2), test::uniform(rng, -5, 5)};
-    const auto added = mirrored_copies(one.document, std::array{one.id}, plane);
-    ASSERT_TRUE(added.ok());
+    const auto added = test::must(mirrored_copies(one.document, std::array{one.id}, plane));
     const Object &own = *one.document.objects[0], &image = *added->document.objects[1];
     const Polyhedron &a = own.polyhedron()->polyhedron, &b = image.polyhedron()->polyhedron;
     ASSERT_EQ(a.vertex_count(), b.vertex_count());
@@ -225,8 +216,7 @@ TEST(MirroredCopies, LiveMirrorsAndPlanesOfSymmetryStay) {
   document = add_object(document, "Solids", solids)->document;
   document = add_object(document, "Skin", SkinSource{skin, {}})->document;
   const std::vector<ObjectId> ids{{1}, {2}, {3}};
-  const auto added = mirrored_copies(document, ids, {0, 0});
-  ASSERT_TRUE(added.ok());
+  const auto added = test::must(mirrored_copies(document, ids, {0, 0}));
   const auto image = [&](std::size_t i) -> const Object& { return *added->document.find(added->ids[i]); };
   EXPECT_EQ(image(0).polyhedron()->mirror, half.mirror);
   EXPECT_EQ(image(1).solids()->input->settings.symmetry, SymmetryPlane::z);
@@ -243,10 +233,8 @@ TEST(MirroredCopies, FrozenSidesAreReflected) {
   const EdgeId edge{VertexId{0}, VertexId{1}};
   const auto side = nearest_side(with_patch.document, *with_patch.document.find(sheet), edge);
   ASSERT_TRUE(side);
-  const auto joined = attach_edge(with_patch.document, sheet, edge, *side);
-  ASSERT_TRUE(joined.ok());
-  const auto added = mirrored_copies(*joined, std::array{sheet}, {0, 0});
-  ASSERT_TRUE(added.ok());
+  const auto joined = test::must(attach_edge(with_patch.document, sheet, edge, *side));
+  const auto added = test::must(mirrored_copies(*joined, std::array{sheet}, {0, 0}));
   const Document cut = duplicate_object(*joined, sheet)->document;
   const auto& own = *cut.objects[1]->polyhedron()->attachments->find(edge)->frozen;
   const auto& image = *added->document.find(added->ids[0])->polyhedron()->attachments->find(edge)->frozen;
@@ -262,8 +250,7 @@ TEST(MirroredCopies, WhatHasNoImageIsNamed) {
   document = add_object(document, "Odd", UnknownSource{"odd", std::string("{}")})->document;
   const std::vector<ObjectId> both{{1}, {2}};
   const auto refused = mirrored_copies(document, both, {0, 0});
-  ASSERT_FALSE(refused.ok());
-  EXPECT_EQ(refused.error().code, e_no_mirror_image);
+  test::must_fail(refused, e_no_mirror_image);
   EXPECT_NE(refused.error().text.find("\"Odd\""), std::string::npos);
   EXPECT_EQ(refused.error().element, element_of(ObjectId{2}));
   EXPECT_EQ(mirrored_copies(document, {}, {0, 0}).error().code, e_no_objects);

@@ -3,15 +3,13 @@
 
 #include "core/modeling/objects/patch_objects.hpp"
 
-#include <gtest/gtest.h>
-
 #include <array>
 #include <cmath>
 
 #include "core/document/edits/edits.hpp"
-#include "core/document/format/format.hpp"
 #include "core/modeling/edit_result.hpp"
 #include "core/modeling/surfacing/object_surfacer.hpp"
+#include "tests/support/must.hpp"
 
 namespace hariko {
 namespace {
@@ -94,14 +92,13 @@ void expect_same(const std::vector<std::pair<Vector3, Vector3>>& a,
 TEST(PatchObjects, SeparatedPatchesStayWhereTheyAreAndLookTheSameWay) {
   const Document document = row();
   const ObjectId id = document.objects[1]->id;
-  const auto done = separate_patches(document, id);
-  ASSERT_TRUE(done.ok()) << to_string(done.error());
+  const auto done = test::must(separate_patches(document, id));
   ASSERT_EQ(done->objects.size(), 3U);
   std::vector<std::string> names;
   for (const auto& object : done->document.objects) names.push_back(object->name);
   EXPECT_EQ(names, (std::vector<std::string>{"before", "row 1", "row 2", "row 3", "after"}));
   expect_same(samples(document, std::span(&id, 1)), samples(done->document, done->objects));
-  // What can be edited is a control net now.
+  // Objects that can be edited are control nets now.
   EXPECT_TRUE(done->document.objects[1]->patches());
   EXPECT_TRUE(done->document.objects[2]->bezier());
   EXPECT_TRUE(done->document.objects[3]->bezier());
@@ -109,11 +106,9 @@ TEST(PatchObjects, SeparatedPatchesStayWhereTheyAreAndLookTheSameWay) {
 
 TEST(PatchObjects, WeldedAgainTheyAreOneSurface) {
   const Document document = row();
-  const auto parts = separate_patches(document, document.objects[1]->id);
-  ASSERT_TRUE(parts.ok());
+  const auto parts = test::must(separate_patches(document, document.objects[1]->id));
   const auto before = samples(parts->document, parts->objects);
-  const auto done = weld_patch_objects(parts->document, parts->objects);
-  ASSERT_TRUE(done.ok()) << to_string(done.error());
+  const auto done = test::must(weld_patch_objects(parts->document, parts->objects));
   ASSERT_EQ(done->document.objects.size(), 3U);
   const Object& object = *done->document.objects[1];
   EXPECT_EQ(object.id, done->object);
@@ -141,8 +136,7 @@ TEST(PatchObjects, ObjectsInDifferentPlacesAreWeldedWhereTheyAre) {
   document = add_object(document, "grid", Source(PatchSource::from_net(net).value()), moved).value().document;
   const std::vector<ObjectId> both{document.objects[0]->id, document.objects[1]->id};
   const auto before = samples(document, both);
-  const auto done = weld_patch_objects(document, both);
-  ASSERT_TRUE(done.ok()) << to_string(done.error());
+  const auto done = test::must(weld_patch_objects(document, both));
   ASSERT_EQ(done->document.objects.size(), 1U);
   expect_same(before, samples(done->document, std::span(&done->object, 1)));
   EXPECT_EQ(object_surface(done->document, *done->document.objects[0]).value().surface.seams().size(), 3U);
@@ -150,8 +144,7 @@ TEST(PatchObjects, ObjectsInDifferentPlacesAreWeldedWhereTheyAre) {
 
 TEST(PatchObjects, LongNamesAreCutAtACharacter) {
   const Document document = rename_object(row(), row().objects[1]->id, std::string(254, 'x') + "é").value();
-  const auto done = separate_patches(document, document.objects[1]->id);
-  ASSERT_TRUE(done.ok());
+  const auto done = test::must(separate_patches(document, document.objects[1]->id));
   for (const auto& object : done->document.objects)
     EXPECT_TRUE(check_name(object->name).ok()) << object->name;
   EXPECT_EQ(done->document.objects[1]->name, std::string(254, 'x') + " 1");

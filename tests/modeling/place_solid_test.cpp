@@ -1,7 +1,5 @@
 #include "core/modeling/objects/place_solid.hpp"
 
-#include <gtest/gtest.h>
-
 #include "core/envelope/solid_shape.hpp"
 #include "tests/support/random.hpp"
 

@@ -2,8 +2,6 @@
 
 #include "core/modeling/objects/plane_frame.hpp"
 
-#include <gtest/gtest.h>
-
 #include <Eigen/Geometry>
 
 #include "core/geometry/polygon.hpp"
@@ -11,10 +9,8 @@
 #include "core/skinning/sections/section_frame.hpp"
 #include "tests/support/random.hpp"
 
-namespace hariko {
+namespace hariko::test {
 namespace {
-
-using namespace test;
 
 Vector3 somewhere(std::mt19937_64& rng) {
   return {uniform(rng, -50, 50), uniform(rng, -50, 50), uniform(rng, -50, 50)};
@@ -28,8 +24,7 @@ void expect_axes(const PlaneFrame& plane) {
 TEST(PlaneFrame, ThreePointsGiveZeroTheAxisAndTheSide) {
   for_random(4301, 500, [](std::mt19937_64& rng) {
     const Vector3 a = somewhere(rng), b = somewhere(rng), c = somewhere(rng);
-    const auto plane = plane_through(a, b, c);
-    ASSERT_TRUE(plane);
+    const auto plane = must(plane_through(a, b, c));
     expect_axes(*plane);
     EXPECT_EQ(plane->point, a);
     const Vector3 second = plane->local(b), third = plane->local(c);
@@ -47,9 +42,7 @@ TEST(PlaneFrame, ThreePointsGiveZeroTheAxisAndTheSide) {
 TEST(PlaneFrame, PointsInALineAreRefused) {
   for_random(4302, 100, [](std::mt19937_64& rng) {
     const Vector3 a = somewhere(rng), way = somewhere(rng);
-    const auto plane = plane_through(a, a + way, a + uniform(rng, -3, 3) * way);
-    ASSERT_FALSE(plane);
-    EXPECT_EQ(plane.error().code, e_plane_in_line);
+    must_fail(plane_through(a, a + way, a + uniform(rng, -3, 3) * way), e_plane_in_line);
     EXPECT_FALSE(plane_through(a, a, a + way)) << "two points in one place";
     const std::vector<Vector3> corners{a, a + way, a + 2 * way};
     EXPECT_FALSE(plane_of_polygon(corners));
@@ -59,8 +52,7 @@ TEST(PlaneFrame, PointsInALineAreRefused) {
 TEST(PlaneFrame, APolygonHasItsOwnSideUpAndALevelAxis) {
   for_random(4303, 300, [](std::mt19937_64& rng) {
     const std::vector<Vector3> corners{somewhere(rng), somewhere(rng), somewhere(rng)};
-    const auto plane = plane_of_polygon(corners);
-    ASSERT_TRUE(plane);
+    const auto plane = must(plane_of_polygon(corners));
     expect_axes(*plane);
     EXPECT_GT(plane->normal().dot(newell_normal(corners)), 0);
     EXPECT_LT((plane->point - (corners[0] + corners[1] + corners[2]) / 3).norm(), 1e-10);
@@ -87,8 +79,7 @@ TEST(PlaneFrame, ASectionLiesInItsPlaneOnThePath) {
 
 TEST(PlaneFrame, RaysMeetItOrRunAlongIt) {
   for_random(4304, 300, [](std::mt19937_64& rng) {
-    const auto plane = plane_through(somewhere(rng), somewhere(rng), somewhere(rng));
-    ASSERT_TRUE(plane);
+    const auto plane = must(plane_through(somewhere(rng), somewhere(rng), somewhere(rng)));
     const Vector3 target = plane->at({uniform(rng, -9, 9), uniform(rng, -9, 9), 0});
     const Vector3 origin = target + uniform(rng, 1, 99) * plane->normal() + 3 * plane->axes.col(0);
     const auto t = where_ray_meets(*plane, origin, (target - origin).normalized(), 0.01);
@@ -99,4 +90,4 @@ TEST(PlaneFrame, RaysMeetItOrRunAlongIt) {
 }
 
 }  // namespace
-}  // namespace hariko
+}  // namespace hariko::test

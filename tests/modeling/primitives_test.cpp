@@ -2,8 +2,6 @@
 
 #include "core/modeling/objects/primitives.hpp"
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -59,8 +57,7 @@ double enclosed_volume(const PolygonMesh& mesh) {
 
 template <class Shape>
 PolygonMesh made(const Shape& shape) {
-  const auto mesh = make_primitive(shape);
-  EXPECT_TRUE(mesh.ok()) << to_string(mesh.error());
+  const auto mesh = test::must(make_primitive(shape));
   expect_good(*mesh);
   return *mesh;
 }
@@ -187,8 +184,7 @@ TEST(Primitives, EveryRandomShapeIsGood) {
 template <class Shape>
 void expect_refused(const Shape& shape, Code code) {
   const auto mesh = make_primitive(shape);
-  ASSERT_FALSE(mesh.ok());
-  EXPECT_EQ(mesh.error().code, code);
+  test::must_fail(mesh, code);
   EXPECT_FALSE(mesh.error().text.empty());
   EXPECT_FALSE(mesh.error().remedy.empty());
 }

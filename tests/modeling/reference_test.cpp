@@ -8,10 +8,9 @@
 #include "core/surface/surface_triangles.hpp"
 #include "tests/modeling/support.hpp"
 
-namespace hariko {
+namespace hariko::test {
 namespace {
 
-using namespace test;
 using Triangles = std::vector<std::array<Index, 3>>;
 
 /// Dense triangles of the surface of a polyhedron.
@@ -77,8 +76,7 @@ TEST(ProjectToReference, VerticesLieOnTheScanAtTheNearestPoint) {
     const Scan scan(truth);
     const double size = size_of(truth);
     const PolyhedronSource cage = with_moves(truth, random_moves(truth, rng, 0.2 * size));
-    const auto done = project_to_reference(cage, all_vertices(cage), scan.seen_from(cage));
-    ASSERT_TRUE(done.ok());
+    const auto done = must(project_to_reference(cage, all_vertices(cage), scan.seen_from(cage)));
     const auto again = project_to_reference(done->source, all_vertices(cage), scan.seen_from(cage));
     EXPECT_TRUE(again->source == done->source) << "what lies on the scan stays";
     FacetPart part = scan.part();
@@ -96,8 +94,7 @@ TEST(ProjectToReference, VerticesLieOnTheScanAtTheNearestPoint) {
 TEST(ProjectToReference, OfSeveralReferencesTheNearestCounts) {
   const std::vector<Vector3> corners{{-9, -9, 0}, {9, -9, 0}, {0, 9, 0}};
   const Triangles triangle{{0, 1, 2}};
-  Similarity high;
-  high.translation = {0, 0, 1.5};
+  Similarity high{.translation = {0, 0, 1.5}};
   const std::array parts{FacetPart{corners, triangle, {0, 0, -1.25}, {}},
                          FacetPart{corners, triangle, {0, 0, 0}, high}};
   const PolyhedronSource cage = source_of(cube());
@@ -124,8 +121,7 @@ TEST(ProjectToReference, PinnedAttachedAndUnselectedVerticesStayAndSeamsStayInTh
   cage.attachments = attachments;
   std::vector<VertexId> chosen = all_vertices(cage);
   chosen.pop_back();
-  const auto done = project_to_reference(cage, chosen, scan.seen_from(cage));
-  ASSERT_TRUE(done.ok());
+  const auto done = must(project_to_reference(cage, chosen, scan.seen_from(cage)));
   for (Index v = 0; v < 25; ++v) {
     const VertexId id = cage.polyhedron.vertex_id(v);
     const bool stays = v == 6 || v == 24 || id == attached.low || id == attached.high;
@@ -151,8 +147,7 @@ TEST(FitToReference, PerturbedVerticesFindTheirSurfaceAgain) {
       truth.mode = mode;
       const Scan scan(truth);
       const PolyhedronSource cage = with_moves(truth, random_moves(truth, rng, 0.1 * shortest_edge(uneven)));
-      const auto fit = fit_to_reference(cage, all_vertices(cage), scan.seen_from(cage), {});
-      ASSERT_TRUE(fit.ok()) << to_string(fit.error());
+      const auto fit = must(fit_to_reference(cage, all_vertices(cage), scan.seen_from(cage), {}));
       EXPECT_LT(fit->after.largest, fit->before.largest / 5) << mesh.positions.size();
       EXPECT_LT(fit->after.mean, fit->before.mean / 10) << mesh.positions.size();
       EXPECT_LE(fit->after.root_mean_square, fit->before.root_mean_square);
@@ -168,11 +163,9 @@ TEST(FitToReference, WhatIsReportedIsTheDistanceOfTheNewSurface) {
   SCOPED_TRACE(random_seed(5));
   const PolyhedronSource cage = with_moves(truth, random_moves(truth, rng, 0.1));
   const auto reference = scan.seen_from(cage);
-  const auto fit = fit_to_reference(cage, all_vertices(cage), reference, {3});
-  ASSERT_TRUE(fit.ok());
+  const auto fit = must(fit_to_reference(cage, all_vertices(cage), reference, {3}));
   EXPECT_EQ(fit->steps, 3);
-  const auto again = fit_to_reference(fit->source, all_vertices(cage), reference, {1});
-  ASSERT_TRUE(again.ok());
+  const auto again = must(fit_to_reference(fit->source, all_vertices(cage), reference, {1}));
   EXPECT_EQ(again->before.largest, fit->after.largest);
   EXPECT_EQ(again->before.mean, fit->after.mean);
   // Points of the new surface, measured without the fit; those of the fit are among them.
@@ -195,8 +188,7 @@ TEST(FitToReference, IsTheSameInEverySizeAndPlaceAndEveryTime) {
   const PolyhedronSource truth = as_new(source_of(mesh));
   const std::vector<Vector3> moves = random_moves(truth, rng, 0.1);
   const PolyhedronSource cage = with_moves(truth, moves);
-  const auto plain = fit_to_reference(cage, all_vertices(cage), Scan(truth).seen_from(cage), {4});
-  ASSERT_TRUE(plain.ok());
+  const auto plain = must(fit_to_reference(cage, all_vertices(cage), Scan(truth).seen_from(cage), {4}));
   const auto twice = fit_to_reference(cage, all_vertices(cage), Scan(truth).seen_from(cage), {4});
   EXPECT_TRUE(twice->source == plain->source) << "the same bits";
   const double size = size_of(cage);
@@ -209,8 +201,7 @@ TEST(FitToReference, IsTheSameInEverySizeAndPlaceAndEveryTime) {
       std::vector<Vector3> scaled = moves;
       for (Vector3& move : scaled) move *= scale;
       const PolyhedronSource moved = with_moves(there, scaled);
-      const auto fit = fit_to_reference(moved, all_vertices(moved), Scan(there).seen_from(moved), {4});
-      ASSERT_TRUE(fit.ok());
+      const auto fit = must(fit_to_reference(moved, all_vertices(moved), Scan(there).seen_from(moved), {4}));
       const double rounding = 1e-6 * size + 1e-14 * far / scale * 1e5;
       EXPECT_EQ(fit->steps, plain->steps);
       for (Index v = 0; v < cage.polyhedron.vertex_count(); ++v)
@@ -231,8 +222,7 @@ TEST(FitToReference, OnlyChosenVerticesMoveAndPinnedOnesStay) {
   cage.shaping = shaping;
   const std::vector<VertexId> chosen{cage.polyhedron.vertex_id(7), cage.polyhedron.vertex_id(14),
                                      cage.polyhedron.vertex_id(15)};
-  const auto fit = fit_to_reference(cage, chosen, Scan(truth).seen_from(cage), {});
-  ASSERT_TRUE(fit.ok());
+  const auto fit = must(fit_to_reference(cage, chosen, Scan(truth).seen_from(cage), {}));
   for (Index v = 0; v < cage.polyhedron.vertex_count(); ++v)
     EXPECT_EQ(fit->source.polyhedron.position(v) != cage.polyhedron.position(v), v == 7 || v == 15) << v;
   EXPECT_LT(fit->after.root_mean_square, fit->before.root_mean_square);
@@ -255,8 +245,7 @@ TEST(FitToReference, HalvesOfALiveMirrorAreFittedWithTheSeamInItsPlane) {
   for (std::size_t v = 0; v < moves.size(); ++v)
     if (seam[v]) moves[v].x() = 0;
   const PolyhedronSource cage = with_moves(truth, moves);
-  const auto fit = fit_to_reference(cage, all_vertices(cage), scan.seen_from(cage), {});
-  ASSERT_TRUE(fit.ok());
+  const auto fit = must(fit_to_reference(cage, all_vertices(cage), scan.seen_from(cage), {}));
   EXPECT_LT(fit->after.mean, fit->before.mean / 5);
   for (Index v = 0; v < cage.polyhedron.vertex_count(); ++v) {
     if (!seam[v]) continue;
@@ -277,8 +266,7 @@ TEST(FitToReference, AScanOfAPartSaysNothingBeyondItsBorder) {
   const Triangles triangles{{0, 1, 2}, {0, 2, 3}};
   const FacetPart part{sheet, triangles, Vector3::Zero(), {}};
   const ReferenceFacets reference({&part, 1}, cage.origin, {});
-  const auto fit = fit_to_reference(cage, all_vertices(cage), reference, {});
-  ASSERT_TRUE(fit.ok());
+  const auto fit = must(fit_to_reference(cage, all_vertices(cage), reference, {}));
   EXPECT_GT(fit->before.beyond, fit->before.counted);
   EXPECT_NEAR(fit->before.mean, 0.1, 0.02);
   EXPECT_LT(fit->after.mean, 0.01);
@@ -307,8 +295,7 @@ TEST(FitToReference, NoiseOfAScanMovesTheVerticesLittleFartherThanItself) {
   Scan scan(truth);
   const double noise = 0.01;
   for (Vector3& p : scan.net.positions) p += random_vector(rng, noise);
-  const auto fit = fit_to_reference(truth, all_vertices(truth), scan.seen_from(truth), {});
-  ASSERT_TRUE(fit.ok());
+  const auto fit = must(fit_to_reference(truth, all_vertices(truth), scan.seen_from(truth), {}));
   EXPECT_LT(farthest_between(fit->source, truth), 3 * noise);
 }
 
@@ -338,4 +325,4 @@ TEST(FitToReference, AnyPolyhedronIsFittedOrRefusedAndNeverFartherThanBefore) {
 }
 
 }  // namespace
-}  // namespace hariko
+}  // namespace hariko::test

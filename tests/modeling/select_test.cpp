@@ -1,7 +1,5 @@
 // Queries for selecting: conversions, grow and shrink, linked, boundaries, similar elements.
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
 
 #include "core/modeling/selection/select_convert.hpp"
@@ -11,10 +9,8 @@
 #include "tests/support/random_polyhedra.hpp"
 #include "tests/support/random_shaping.hpp"
 
-namespace hariko {
+namespace hariko::test {
 namespace {
-
-using test::source_of;
 
 ElementSet random_set(const Polyhedron& polyhedron, std::mt19937_64& rng, double share) {
   ElementSet set;
@@ -61,7 +57,7 @@ TEST(SelectConvert, WhatIsSelectedInWholeStays) {
     EXPECT_TRUE(contains(to_edges(polyhedron, to_vertices(polyhedron, edges)), edges));
     EXPECT_TRUE(contains(to_edges(polyhedron, set, Reach::touching), to_edges(polyhedron, set)));
     EXPECT_TRUE(contains(to_faces(polyhedron, set, Reach::touching), to_faces(polyhedron, set)));
-    // Of one kind only, and complete: nothing stays nothing, all stays all.
+    // Selections of one kind only, and complete: nothing stays nothing, all stays all.
     EXPECT_TRUE(to_faces(polyhedron, {}).empty());
     EXPECT_EQ(to_faces(polyhedron, select_all(polyhedron, ElementKind::vertex)),
               select_all(polyhedron, ElementKind::face));
@@ -198,4 +194,4 @@ TEST(SelectSimilar, AlwaysHoldsTheGivenAndIsStable) {
 }
 
 }  // namespace
-}  // namespace hariko
+}  // namespace hariko::test

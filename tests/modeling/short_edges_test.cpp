@@ -9,14 +9,11 @@
 #include "core/modeling/operations/inset.hpp"
 #include "tests/modeling/support.hpp"
 
-namespace hariko {
+namespace hariko::test {
 namespace {
 
-using namespace test;
-
 int long_tangents(const PolyhedronSource& source) {
-  const auto made = PolyhedronSurfacer().rebuild(surface_input(source).value());
-  EXPECT_TRUE(made);
+  const auto made = must(PolyhedronSurfacer().rebuild(surface_input(source).value()));
   int count = 0;
   for (const Message& message : made->warnings) count += message.code == w_long_tangent ? 1 : 0;
   return count;
@@ -60,4 +57,4 @@ TEST(ShortEdges, GivenTensionsAndOldEdgesAreLeftAlone) {
 }
 
 }  // namespace
-}  // namespace hariko
+}  // namespace hariko::test

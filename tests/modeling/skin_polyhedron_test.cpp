@@ -1,7 +1,5 @@
 #include "core/modeling/surfacing/skin_polyhedron.hpp"
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <cstdio>
 
@@ -9,6 +7,7 @@
 #include "core/document/format/read_skin.hpp"
 #include "core/modeling/surfacing/surface_input.hpp"
 #include "core/skinning/evaluate_skin.hpp"
+#include "tests/support/must.hpp"
 #include "tests/support/places.hpp"
 
 namespace hariko {
@@ -25,10 +24,8 @@ TEST(SkinPolyhedron, GoesThroughTheSurfaceWithItsTangentPlanes) {
   for (const char* name : {"fig9_interior", "tube", "sharp3"}) {
     SCOPED_TRACE(name);
     const Skin skin = input(name);
-    const auto made = skin_polyhedron(skin);
-    ASSERT_TRUE(made.ok()) << to_string(made.error());
-    const auto surface = SkinSurfacer().surface(skin, Vector3::Zero());
-    ASSERT_TRUE(surface.ok());
+    const auto made = test::must(skin_polyhedron(skin));
+    const auto surface = test::must(SkinSurfacer().surface(skin, Vector3::Zero()));
     const SubdivisionPatchSet& patches = *subdivision_patches(surface->surface);
     const ControlMesh& control = surface->result.mesh.control;
     const Polyhedron& polyhedron = made->source.polyhedron;
@@ -45,8 +42,7 @@ TEST(SkinPolyhedron, GoesThroughTheSurfaceWithItsTangentPlanes) {
     EXPECT_EQ(made->source.shaping->crease.size(), std::size_t(sharp));
     EXPECT_GT(made->source.shaping->pin.size(), polyhedron.vertex_count() / 3);
     // The surface of the polyhedron keeps the planes, and the distance that is told is small and not zero.
-    const auto built = PolyhedronSurfacer().rebuild(*surface_input(made->source));
-    ASSERT_TRUE(built.ok()) << to_string(built.error());
+    const auto built = test::must(PolyhedronSurfacer().rebuild(*surface_input(made->source)));
     // Corner 1 of the patch of a half-edge is its vertex.
     const HalfEdgeMesh& mesh = polyhedron.topology();
     for (Index h = 0; h < mesh.half_edge_count(); ++h) {

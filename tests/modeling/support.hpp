@@ -1,6 +1,6 @@
 #pragma once
 
-// What the tests of operations share: random polyhedra of every kind with random shaping and selections, and
+// Support of the tests of operations: random polyhedra of every kind with random shaping and selections, and
 // what must hold of any result.
 
 #include <gtest/gtest.h>
@@ -12,6 +12,7 @@
 
 #include "core/document/source.hpp"
 #include "core/geometry/polygon.hpp"
+#include "core/modeling/edit_result.hpp"
 #include "core/modeling/operations/face_geometry.hpp"
 #include "core/modeling/surfacing/surface_input.hpp"
 #include "core/polyhedron/volume.hpp"
@@ -96,6 +97,12 @@ inline std::vector<FaceId> all_faces(const PolyhedronSource& source) {
   for (Index f = 0; f < source.polyhedron.face_count(); ++f) out.push_back(source.polyhedron.face_id(f));
   return out;
 }
+inline std::vector<EdgeId> border_edges(const Polyhedron& polyhedron) {
+  std::vector<EdgeId> out;
+  for (Index e = 0; e < polyhedron.edge_count(); ++e)
+    if (polyhedron.topology().is_border_edge(e)) out.push_back(polyhedron.edge_id(e));
+  return out;
+}
 inline std::vector<VertexId> all_vertices(const PolyhedronSource& source) {
   std::vector<VertexId> out;
   for (Index v = 0; v < source.polyhedron.vertex_count(); ++v) out.push_back(source.polyhedron.vertex_id(v));
@@ -119,10 +126,15 @@ inline double random_amount(std::mt19937_64& rng, double size) {
   return (chance(rng, 0.2) ? -1 : 1) * size * log_uniform(rng, 1e-4, 2);
 }
 
+/// V - E + F; isolated vertices do not count.
+inline int euler_number(const Polyhedron& polyhedron) {
+  int vertices = 0;
+  for (Index v = 0; v < polyhedron.vertex_count(); ++v)
+    vertices += polyhedron.topology().outgoing(v) != no_index;
+  return vertices - static_cast<int>(polyhedron.edge_count()) + static_cast<int>(polyhedron.face_count());
+}
 inline int euler(const PolyhedronSource& source) {
-  const Polyhedron& p = source.polyhedron;
-  return static_cast<int>(p.vertex_count()) - static_cast<int>(p.edge_count()) +
-         static_cast<int>(p.face_count());
+  return euler_number(source.polyhedron);
 }
 
 inline std::string counts(const PolyhedronSource& source) {
@@ -137,30 +149,40 @@ inline int edges_of_tension(const PolyhedronSource& source, double beta) {
   return count;
 }
 
-/// What holds of every result: a refusal explains itself; otherwise selection and shaping name elements that
-/// exist, nothing lies loose, and the object's other settings are untouched.
-inline void expect_whole(const PolyhedronSource& before, const Result<EditResult>& result) {
-  if (!result) {
-    EXPECT_TRUE(result.error().code.name.starts_with("E_")) << to_string(result.error());
-    EXPECT_FALSE(result.error().text.empty());
-    EXPECT_FALSE(result.error().remedy.empty()) << to_string(result.error());
-    return;
-  }
-  const PolyhedronSource& after = result->source;
-  const Polyhedron& polyhedron = after.polyhedron;
-  EXPECT_EQ(after.origin, before.origin);
-  EXPECT_EQ(after.mode, before.mode);
-  EXPECT_FALSE(result->selection.empty());
-  for (const VertexId id : result->selection.vertices) EXPECT_NE(polyhedron.find(id), no_index);
-  for (const EdgeId id : result->selection.edges) EXPECT_NE(polyhedron.find(id), no_index);
-  for (const FaceId id : result->selection.faces) EXPECT_NE(polyhedron.find(id), no_index);
-  for (const auto& entry : after.shaping->alpha) EXPECT_NE(polyhedron.find(entry.first), no_index);
-  for (const auto& entry : after.shaping->tag) EXPECT_NE(polyhedron.find(entry.first), no_index);
-  for (const auto& entry : after.shaping->pin) EXPECT_NE(polyhedron.find(entry.first), no_index);
-  for (const auto& entry : after.shaping->beta) EXPECT_NE(polyhedron.find(entry.first), no_index);
-  for (const auto& entry : after.shaping->crease) EXPECT_NE(polyhedron.find(entry.first), no_index);
-  for (Index v = 0; v < polyhedron.vertex_count(); ++v)
+/// Invariants of every result, whatever the operation: a polyhedron (by its type) at the same origin in the
+/// same mode, finite, without loose vertices, whose shaping and selection name elements that exist.
+inline void expect_sound(const EditResult& modeled, const PolyhedronSource& before) {
+  const Polyhedron& polyhedron = modeled.source.polyhedron;
+  EXPECT_EQ(modeled.source.origin, before.origin);
+  EXPECT_EQ(modeled.source.mode, before.mode);
+  EXPECT_TRUE(HalfEdgeMesh::build(polyhedron.to_mesh()).ok());
+  for (Index v = 0; v < polyhedron.vertex_count(); ++v) {
     EXPECT_NE(polyhedron.topology().outgoing(v), no_index);
+    EXPECT_TRUE(polyhedron.position(v).allFinite());
+  }
+  const Shaping& shaping = *modeled.source.shaping;
+  for (const auto& entry : shaping.alpha) EXPECT_NE(polyhedron.find(entry.first), no_index);
+  for (const auto& entry : shaping.beta) EXPECT_NE(polyhedron.find(entry.first), no_index);
+  for (const auto& entry : shaping.crease) EXPECT_NE(polyhedron.find(entry.first), no_index);
+  for (const auto& entry : shaping.tag) EXPECT_NE(polyhedron.find(entry.first), no_index);
+  for (const auto& entry : shaping.pin) EXPECT_NE(polyhedron.find(entry.first), no_index);
+  for (const VertexId id : modeled.selection.vertices) EXPECT_NE(polyhedron.find(id), no_index);
+  for (const EdgeId id : modeled.selection.edges) EXPECT_NE(polyhedron.find(id), no_index);
+  for (const FaceId id : modeled.selection.faces) EXPECT_NE(polyhedron.find(id), no_index);
+}
+
+/// A refusal says what and why.
+inline void expect_refusal(const Message& message) {
+  EXPECT_TRUE(message.code.name.starts_with("E_"));
+  EXPECT_FALSE(message.text.empty());
+  EXPECT_FALSE(message.remedy.empty());
+}
+
+/// A refusal explains itself; otherwise the result is sound, and something is selected.
+inline void expect_whole(const PolyhedronSource& before, const Result<EditResult>& result) {
+  if (!result) return expect_refusal(result.error());
+  expect_sound(*result, before);
+  EXPECT_FALSE(result->selection.empty());
 }
 
 /// expect_whole, and the Euler number is the one before.

@@ -4,7 +4,6 @@
 #include "core/geometry/triangle_tree.hpp"
 
 #include <Eigen/Geometry>
-#include <numbers>
 #include <set>
 
 #include "core/analysis/measures.hpp"
@@ -12,7 +11,6 @@
 #include "core/document/edits/edit_objects.hpp"
 #include "core/document/format/format.hpp"
 #include "core/modeling/cuts/bisect.hpp"
-#include "core/modeling/cuts/cut.hpp"
 #include "core/modeling/cuts/loop_cut.hpp"
 #include "core/modeling/cuts/subdivide.hpp"
 #include "core/modeling/objects/primitives.hpp"
@@ -161,9 +159,7 @@ TEST(SurfaceForm, EqualFramesHaveNone) {
 
 TEST(SurfaceForm, AnErrorOfTheSurfaceIsNotTakenForNoForm) {
   PolyhedronSource source = as_new(source_of(prism(static_cast<int>(largest_fair_side_count) + 1)));
-  const auto form = form_to_keep(source);
-  ASSERT_FALSE(form.ok());
-  EXPECT_EQ(form.error().code, e_too_many_sides);
+  must_fail(form_to_keep(source), e_too_many_sides);
   source.frames = Frames::equal;
   ASSERT_TRUE(form_to_keep(source).ok()) << "surfaces of equal frames are not kept, so none is made";
   EXPECT_FALSE(form_to_keep(source).value().has_value());
@@ -240,8 +236,7 @@ TEST(SurfaceForm, JoinedObjectsKeepTheirForms) {
   const SurfaceForm form = SurfaceForm::of(source).value();
   const PolyhedronSource refined =
       loop_cut(source, source.polyhedron.edge_id(0), {.slide = -0.4}, &form)->source;
-  Similarity aside;
-  aside.translation = {500, 0, 0};
+  Similarity aside{.translation = {500, 0, 0}};
   const PolyhedronSource both = join(source, refined, aside)->source;
   EXPECT_EQ(both.shaping->form.size(), refined.shaping->form.size());
   const Shape alone(source), twice(both);
@@ -267,8 +262,7 @@ TEST(SurfaceForm, FormsAreSaved) {
       add_object({}, "Box", loop_cut(source, source.polyhedron.edge_id(0), {}, &form)->source)
           .value()
           .document;
-  const Result<Document> read = read_document(write_document(document));
-  ASSERT_TRUE(read);
+  const Result<Document> read = must(read_document(write_document(document)));
   EXPECT_EQ(*read, document);
   EXPECT_FALSE(read->objects[0]->polyhedron()->shaping->form.empty());
   EXPECT_FALSE(read->objects[0]->polyhedron()->shaping->kept_area.empty());
@@ -294,8 +288,7 @@ TEST(SurfaceForm, RefinementsKeepTheSurface) {
     PolyhedronSource source;
   };
   std::vector<Case> cases{{"box", box()}};
-  PrismShape cylinder;
-  cylinder.sides = 12;
+  PrismShape cylinder{.sides = 12};
   cases.push_back({"cylinder", as_new(source_of(make_primitive(cylinder).value()))});
   for (const Case& each : cases) {
     const PolyhedronSource& source = each.source;

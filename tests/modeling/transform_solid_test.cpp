@@ -2,8 +2,6 @@
 
 #include "core/modeling/objects/transform_solid.hpp"
 
-#include <gtest/gtest.h>
-
 #include <Eigen/Geometry>
 
 #include "tests/support/random.hpp"

@@ -2,8 +2,6 @@
 
 #include "core/offset/offset_surface.hpp"
 
-#include <gtest/gtest.h>
-
 #include "core/analysis/curvature.hpp"
 #include "core/approximation/approximate.hpp"
 #include "core/cad/cad_measure.hpp"
@@ -19,9 +17,12 @@ constexpr double pi = std::numbers::pi;
 TriangleMesh meshed(const Surface& surface, double distance) {
   MeshOptions options;
   options.criteria.distance = distance;
-  auto made = approximate(surface, options);
-  EXPECT_TRUE(made.ok());
-  return made.ok() ? std::move(made).value().mesh : TriangleMesh{};
+  return test::must(approximate(surface, options)).value().mesh;
+}
+
+/// Surface at a distance, positive outside.
+Result<OffsetSurface> offset_surface(const Surface& surface, double distance) {
+  return wall_surface(surface, {distance, 0, WallSide::inside});
 }
 
 /// Sizes from a thousandth to a million.
@@ -32,8 +33,7 @@ TEST_P(OffsetAtAllSizes, SphereHasItsRadiusAndCurvature) {
   const double size = GetParam();
   const Surface base = test::sphere(size);
   for (const double distance : {0.25 * size, -0.25 * size, 3 * size}) {
-    const auto made = offset_surface(base, distance);
-    ASSERT_TRUE(made.ok());
+    const auto made = test::must(offset_surface(base, distance));
     EXPECT_TRUE(made->warnings.empty());
     const PatchSet& patches = made->surface.patches();
     const double radius = size + distance;
@@ -52,8 +52,7 @@ TEST_P(OffsetAtAllSizes, SphereHasItsRadiusAndCurvature) {
 
 TEST_P(OffsetAtAllSizes, CylinderHasItsRadius) {
   const double size = GetParam();
-  const auto made = offset_surface(test::tube(size, 3 * size, pi, 3, 2), -0.5 * size);
-  ASSERT_TRUE(made.ok());
+  const auto made = test::must(offset_surface(test::tube(size, 3 * size, pi, 3, 2), -0.5 * size));
   for (Index p = 0; p < made->surface.patch_count(); ++p)
     for (const Vector2& at : GridPattern{Domain::square, 4}.parameters()) {
       const Vector3 q = made->surface.patches().evaluate(p, at, Order::first).position;
@@ -63,8 +62,7 @@ TEST_P(OffsetAtAllSizes, CylinderHasItsRadius) {
 
 TEST_P(OffsetAtAllSizes, DerivativesAreThoseOfThePositions) {
   const double size = GetParam();
-  const auto made = offset_surface(test::torus(3 * size, size, 5, 4), 0.4 * size);
-  ASSERT_TRUE(made.ok());
+  const auto made = test::must(offset_surface(test::torus(3 * size, size, 5, 4), 0.4 * size));
   const PatchSet& patches = made->surface.patches();
   constexpr double h = 1e-5;
   const Vector2 at(0.3, 0.6);
@@ -83,8 +81,7 @@ TEST_P(OffsetAtAllSizes, ShellOfASphereHasItsVolume) {
   for (const double inner : {0.8, -0.2}) {
     const Surface base = test::sphere(size);
     const double outer = inner + 0.1;
-    const auto made = shell_surface(base, outer * size, inner * size);
-    ASSERT_TRUE(made.ok());
+    const auto made = test::must(wall_surface(base, {inner * size, 0.1 * size, WallSide::outside}));
     const double tolerance = 1e-3 * size;
     const TriangleMesh mesh = meshed(made->surface, tolerance);
     test::expect_watertight(mesh);
@@ -98,8 +95,7 @@ TEST_P(OffsetAtAllSizes, ShellOfAnOpenHalfTubeHasItsVolume) {
   const double size = GetParam();
   const Surface base = test::tube(size, 2 * size, pi, 3, 2);
   for (const WallSide side : {WallSide::inside, WallSide::outside, WallSide::both}) {
-    const auto made = wall_surface(base, {0, 0.2 * size, side});
-    ASSERT_TRUE(made.ok());
+    const auto made = test::must(wall_surface(base, {0, 0.2 * size, side}));
     EXPECT_TRUE(made->warnings.empty());
     EXPECT_EQ(made->gaps, 0U);
     const TriangleMesh mesh = meshed(made->surface, 5e-4 * size);
@@ -132,8 +128,7 @@ TEST_P(OffsetAtAllSizes, TorusFoldsAtTheRadiusOfItsTube) {
 TEST_P(OffsetAtAllSizes, SharpEdgesAndCornersOfACubeBecomeRound) {
   const double size = GetParam(), d = 0.3;
   for (const Domain domain : {Domain::square, Domain::triangle}) {
-    const auto made = offset_surface(test::cube(size, domain), d * size);
-    ASSERT_TRUE(made.ok());
+    const auto made = test::must(offset_surface(test::cube(size, domain), d * size));
     EXPECT_EQ(made->sharp_edges, 12U);
     EXPECT_EQ(made->crossings, 0U);
     EXPECT_TRUE(made->warnings.empty());
@@ -143,8 +138,7 @@ TEST_P(OffsetAtAllSizes, SharpEdgesAndCornersOfACubeBecomeRound) {
     // Steiner's formula.
     EXPECT_NEAR(test::volume(mesh) / (size * size * size),
                 1 + 6 * d + 3 * pi * d * d + 4 * pi / 3 * d * d * d, 2e-3);
-    const auto narrow = offset_surface(test::cube(size, domain), -0.2 * size);
-    ASSERT_TRUE(narrow.ok());
+    const auto narrow = test::must(offset_surface(test::cube(size, domain), -0.2 * size));
     EXPECT_EQ(narrow->crossings, 12U);
     ASSERT_FALSE(narrow->warnings.empty());
     EXPECT_EQ(narrow->warnings[0].code, w_offset_crosses);
@@ -164,16 +158,14 @@ TEST_P(OffsetAtAllSizes, ShellOfAnOpenBoxIsClosed) {
     EXPECT_NEAR(test::volume(mesh) / (size * size * size),
                 5 * d + 8 * pi / 4 * d * d + 2 * pi / 3 * d * d * d, 2e-3);
     const auto both =
-        wall_surface(test::cube(size, domain, true), {0.5 * d * size, d * size, WallSide::both});
-    ASSERT_TRUE(both.ok());
+        test::must(wall_surface(test::cube(size, domain, true), {0.5 * d * size, d * size, WallSide::both}));
     test::expect_watertight(tessellate(both->surface, 4));
   }
 }
 
 TEST(Offset, PolesStayPoints) {
   const Surface base = weld_patches(Vector3::Zero(), test::rational_sphere(2)).value();
-  const auto made = shell_surface(base, 0.5, -0.5);
-  ASSERT_TRUE(made.ok());
+  const auto made = test::must(wall_surface(base, {-0.5, 1, WallSide::outside}));
   EXPECT_TRUE(made->warnings.empty());
   const TriangleMesh mesh = meshed(made->surface, 4e-3);
   test::expect_watertight(mesh);
@@ -186,11 +178,9 @@ TEST(Offset, CadFacesOfAnOffsetKeepTheTolerance) {
   const auto box = wall_surface(test::cube(10, Domain::square, true), {0, 1, WallSide::outside});
   ASSERT_TRUE(sphere.ok() && tube.ok() && box.ok());
   for (const Surface* surface : {&sphere->surface, &tube->surface, &box->surface}) {
-    CadModelOptions options;
-    options.tolerance = 1e-3;
+    CadModelOptions options{.tolerance = 1e-3};
     options.share = 0;
-    const auto model = make_cad_model(*surface, options);
-    ASSERT_TRUE(model.ok());
+    const auto model = test::must(make_cad_model(*surface, options));
     EXPECT_TRUE(model->closed());
     const CadMeasure measure = measure_cad(*surface, *model, 4);
     EXPECT_LT(measure.largest, 1e-3);
@@ -200,7 +190,6 @@ TEST(Offset, CadFacesOfAnOffsetKeepTheTolerance) {
 TEST(Offset, WrongLengthsAreRefused) {
   const Surface base = test::sphere(1);
   EXPECT_EQ(offset_surface(base, std::nan("")).error().code, e_offset_distance);
-  EXPECT_EQ(shell_surface(base, 0.1, 0.1).error().code, e_offset_distance);
   EXPECT_EQ(wall_surface(base, {0, -1, WallSide::both}).error().code, e_offset_distance);
   EXPECT_EQ(offset_surface(Surface{}, 1).error().code, e_offset_nothing);
 }

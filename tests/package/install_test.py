@@ -8,7 +8,7 @@ import tempfile
 
 CMAKE, BUILD = sys.argv[1:3]
 EXPECTED = """bin/hariko share/applications/hariko.desktop share/bash-completion/completions/hariko
-share/hariko/languages/ja.json share/hariko/samples/cube.hariko share/icons/hicolor/16x16/apps/hariko.png
+share/hariko/languages/ja.po share/hariko/samples/cube.hariko share/icons/hicolor/16x16/apps/hariko.png
 share/icons/hicolor/512x512/apps/hariko.png share/icons/hicolor/scalable/apps/hariko.svg
 share/icons/hicolor/scalable/mimetypes/application-x-hariko.svg share/man/man1/hariko.1.gz
 share/metainfo/local.hariko.Hariko.metainfo.xml share/mime/packages/hariko.xml share/thumbnailers/hariko.thumbnailer""".split()

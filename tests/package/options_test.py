@@ -14,7 +14,7 @@ def help_of(*command):
 
 
 def options_in(text):
-    """Of the lines that list options: `  -h,--help  ...`, `  --size TEXT ...`."""
+    """Options named by the lines that list them: `  -h,--help  ...`, `  --size TEXT ...`."""
     found = set()
     for line in text.splitlines():
         if match := re.match(r"\s+((?:-\w,\s*)?--[a-z][a-z0-9-]*)", line):

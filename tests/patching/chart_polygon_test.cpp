@@ -2,18 +2,14 @@
 
 #include "core/g2/faces/chart_polygon.hpp"
 
-#include <gtest/gtest.h>
-
 #include <Eigen/LU>
 #include <cmath>
 #include <numbers>
 
 #include "tests/support/random.hpp"
 
-namespace hariko {
+namespace hariko::test {
 namespace {
-
-using namespace test;
 
 /// Corners that have in their vertices the shape which they have in the polygon.
 std::vector<CornerShape> corners_of(const std::vector<Vector2>& polygon) {
@@ -134,4 +130,4 @@ TEST(ChartPolygon, DoesNotDependOnTheFirstCorner) {
 }
 
 }  // namespace
-}  // namespace hariko
+}  // namespace hariko::test

@@ -1,8 +1,6 @@
-// Which patches two surfaces have in common.
+// Patches that two surfaces have in common.
 
 #include "core/patching/compare_surfaces.hpp"
-
-#include <gtest/gtest.h>
 
 #include "core/patching/polyhedron_surface.hpp"
 #include "tests/support/random.hpp"

@@ -5,7 +5,6 @@
 
 #include <Eigen/Geometry>
 
-#include "core/analysis/measures.hpp"
 #include "core/network/network_system.hpp"
 #include "core/patching/quartic/patch_constants.hpp"
 #include "core/patching/quartic/quartic_patch.hpp"
@@ -26,8 +25,7 @@ TEST(Continuity, ReferenceModelsAreG1WithoutFolds) {
       SCOPED_TRACE(name);
       const auto input = golden_input(std::string(name) + ".obj", mode);
       PolyhedronSurfacer surfacer;
-      const auto result = surfacer.rebuild(input);
-      ASSERT_TRUE(result.ok());
+      const auto result = must(surfacer.rebuild(input));
       EXPECT_TRUE(result->report.fair_converged);
       const ContinuityReport report = continuity(result->surface);
       EXPECT_LE(*report.largest_normal_jump, 1e-10);
@@ -42,8 +40,7 @@ TEST(Continuity, ReferenceModelsAreG1WithoutFolds) {
 TEST(Continuity, ConcaveFacesFoldAndAreNamed) {
   for (const Mode mode : quartic_modes) {
     PolyhedronSurfacer surfacer;
-    const auto result = surfacer.rebuild(golden_input("concave.obj", mode));
-    ASSERT_TRUE(result.ok());
+    const auto result = must(surfacer.rebuild(golden_input("concave.obj", mode)));
     std::vector<std::uint64_t> folded;
     for (const Message& warning : result->warnings)
       if (warning.code == w_fold) folded.push_back(warning.element.id);
@@ -57,8 +54,7 @@ TEST(Continuity, RandomPolyhedraWithRandomTensions) {
     const Shaping shaping = random_shaping(polyhedron, rng, 1000, 0.001, 1000);
     for (const Mode mode : quartic_modes) {
       PolyhedronSurfacer surfacer;
-      const auto result = surfacer.rebuild({polyhedron, shaping, mode, Vector3::Zero()});
-      ASSERT_TRUE(result.ok()) << to_string(result.error());
+      const auto result = must(surfacer.rebuild({polyhedron, shaping, mode, Vector3::Zero()}));
       EXPECT_TRUE(result->report.fair_converged) << result->report.fair_iterations;
       const ContinuityReport report = continuity(result->surface);
       EXPECT_LE(report.largest_normal_jump.value_or(0), 1e-10) << "mode " << int(mode);
@@ -89,8 +85,7 @@ TEST(Continuity, SidesAgreeBitForBit) {
     const Polyhedron polyhedron = Polyhedron::build(random_polyhedron(rng)).value();
     for (const Mode mode : quartic_modes) {
       PolyhedronSurfacer surfacer;
-      const auto result = surfacer.rebuild({polyhedron, {}, mode, Vector3::Zero()});
-      ASSERT_TRUE(result.ok());
+      const auto result = must(surfacer.rebuild({polyhedron, {}, mode, Vector3::Zero()}));
       const Surface& surface = result->surface;
       for (const Seam& seam : surface.seams())
         for (const double x : {0.0, 0.125, 0.5, 0.75, 1.0}) {
@@ -114,14 +109,12 @@ TEST(Continuity, TwoSidedDerivativeIdentityHoldsOnEveryEdge) {
   for_random(13, 10, [](std::mt19937_64& rng) {
     const Polyhedron polyhedron = Polyhedron::build(random_polyhedron(rng)).value();
     const Shaping shaping = random_shaping(polyhedron, rng, 10, 0.1, 10);
-    const auto network = NetworkSystem::assemble(polyhedron, shaping);
-    ASSERT_TRUE(network.ok());
+    const auto network = must(NetworkSystem::assemble(polyhedron, shaping));
     const HalfEdgeMesh& mesh = polyhedron.topology();
     const PatchConstants constants = patch_constants(mesh, network->frames());
     for (const Mode mode : quartic_modes) {
       PolyhedronSurfacer surfacer;
-      const auto result = surfacer.rebuild({polyhedron, shaping, mode, Vector3::Zero()});
-      ASSERT_TRUE(result.ok());
+      const auto result = must(surfacer.rebuild({polyhedron, shaping, mode, Vector3::Zero()}));
       const auto& set = dynamic_cast<const QuarticPatchSet&>(result->surface.patches());
       const auto derivative = [&](Index patch, const Vector3& point, const Vector3& direction) {
         const QuarticBasis basis = quartic_basis(point[0], point[1], point[2]);

@@ -29,8 +29,7 @@ void drag_and_compare(const Polyhedron& start, const Shaping& shaping, Mode mode
                       std::mt19937_64& rng, std::size_t* changed_count = nullptr, bool soft = false) {
   PolyhedronSurfaceInput input{start, shaping, mode, Vector3::Zero()};
   PolyhedronSurfacer surfacer;
-  const auto before = surfacer.rebuild(input);
-  ASSERT_TRUE(before.ok()) << to_string(before.error());
+  const auto before = must(surfacer.rebuild(input));
   PolyhedronSurface dragged;
   Vector3 move;
   std::vector<double> shares(vertices.size(), 1);

@@ -1,7 +1,5 @@
 #include "core/patching/fair/element_products.hpp"
 
-#include <gtest/gtest.h>
-
 #include "tests/support/random.hpp"
 
 namespace hariko::test {

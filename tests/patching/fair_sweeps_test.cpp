@@ -1,8 +1,6 @@
 // Solutions of mode FAIR's system by sweeps over its faces: exact to rounding among all faces or some, on any
 // number of threads, in few steps.
 
-#include <gtest/gtest.h>
-
 #include "core/base/parallel.hpp"
 #include "core/patching/fair/fair_system.hpp"
 #include "core/patching/fair/influence_region.hpp"

@@ -16,8 +16,7 @@ namespace hariko::test {
 namespace {
 
 PolyhedronSurface built(const PolyhedronSurfaceInput& input) {
-  auto result = PolyhedronSurfacer().rebuild(input);
-  EXPECT_TRUE(result.ok());
+  auto result = must(PolyhedronSurfacer().rebuild(input));
   return std::move(result).value();
 }
 

@@ -1,8 +1,6 @@
 // Properties of mode G2: curvature continuous everywhere, derivatives that are derivatives, results that
 // depend on the input alone.
 
-#include <gtest/gtest.h>
-
 #include "core/base/parallel.hpp"
 #include "tests/patching/g2_support.hpp"
 #include "tests/support/golden.hpp"
@@ -15,8 +13,7 @@ namespace {
 
 PolyhedronSurface build(const PolyhedronSurfaceInput& input) {
   PolyhedronSurfacer surfacer;
-  auto result = surfacer.rebuild(input);
-  EXPECT_TRUE(result.ok()) << to_string(result.error());
+  auto result = must(surfacer.rebuild(input));
   return std::move(result).value();
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// What tests of mode G2 measure: jumps over edges at many points, and how curvature varies round vertices.
+// Measures of the tests of mode G2: jumps over edges at many points, and how curvature varies round vertices.
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -40,10 +40,10 @@ struct Rounding {
 /// Over all smooth seams.
 struct Jumps {
   double gap = 0, normal = 0, curvature = 0;  ///< the largest ones
-  double rms = 0;                             ///< of the curvature over all samples
+  double rms = 0;                             ///< root mean square of the curvature over all samples
   struct Sample {
     double normal = 0, curvature = 0;
-    double normal_rounding = 0, curvature_rounding = 0;  ///< what rounding on both sides can make of them
+    double normal_rounding = 0, curvature_rounding = 0;  ///< bounds of rounding on both sides
   };
   std::vector<Sample> samples;
   double relative() const { return rms > 0 ? curvature / rms : 0; }
@@ -71,7 +71,7 @@ inline Jumps jumps_of(const Surface& surface) {
       const auto p = curvature(a), q = curvature(b);
       if (!p || !q) continue;
       const double sine = p->normal.cross(q->normal).norm(), cosine = p->normal.dot(q->normal);
-      // Where the surface folds along the edge, normals are opposite and the planes are compared.
+      // Normals are opposite where the surface folds along the edge, and the planes are compared.
       const double sign = cosine < 0 ? -1 : 1;
       const Rounding ra(a, terms), rb(b, terms);
       const Jumps::Sample sample{std::atan2(sine, std::abs(cosine)), (p->tensor - sign * q->tensor).norm(),

@@ -2,8 +2,6 @@
 
 #include "core/patching/joins/join_plan.hpp"
 
-#include <gtest/gtest.h>
-
 #include "core/analysis/continuity.hpp"
 #include "core/patching/cross_boundary_fit.hpp"
 #include "tests/patching/g2_support.hpp"
@@ -73,8 +71,7 @@ void expect_joined(std::mt19937_64& rng, std::span<const Mode> wanted, Largest& 
     PolyhedronSurfacer surfacer;
     PolyhedronSurfaceInput input = given.input(mode);
     input.frames = frames;
-    const auto made = surfacer.rebuild(input);
-    ASSERT_TRUE(made.ok()) << to_string(made.error());
+    const auto made = must(surfacer.rebuild(input));
     EXPECT_TRUE(made->report.fair_converged && made->report.g2_converged);
     for (const Join& join : given.joins) {
       const double open = gap(made->surface, join) / factor;
@@ -115,8 +112,7 @@ TEST(Join, VerticesKeepTheirCurvatureInModeG2) {
   for_random(4103, 6, [&](std::mt19937_64& rng) {
     JoinCase given = random_join_case(rng, 1, 1);
     given.joins = {given.joins[rng() % given.joins.size()]};
-    const auto made = PolyhedronSurfacer().rebuild(given.input(Mode::g2));
-    ASSERT_TRUE(made.ok()) << to_string(made.error());
+    const auto made = must(PolyhedronSurfacer().rebuild(given.input(Mode::g2)));
     const G2PatchSet& set = g2_set(*made);
     for (Index p = 0; p < set.patch_count(); ++p)
       for (const int corner : {1, 2})
@@ -130,7 +126,7 @@ TEST(Join, VerticesKeepTheirCurvatureInModeG2) {
         return curvature(set.evaluate(patch, at + radius * (to - at), Order::second));
       };
       const auto limit = away(0, 0);
-      // Where sides almost meet in one line, curvature is so large that a radius of 1e-3 is not near.
+      // Sides that almost meet in one line make curvature so large that a radius of 1e-3 is not near.
       if (!limit || limit->tensor.norm() > 100) continue;
       ++measured;
       for (const double turn : {0.1, 0.5, 0.9}) {
@@ -224,11 +220,9 @@ void expect_live(std::mt19937_64& rng) {
   const Index v = Index(uniform_int(rng, 0, int(given.polyhedron.vertex_count()) - 1));
   const Vector3 to = given.polyhedron.position(v) + random_vector(rng, 0.2);
   given.polyhedron = given.polyhedron.with_positions(std::span(&v, 1), std::span(&to, 1)).value();
-  const auto dragged = surfacer.rebuild(given.input(mode), Quality::drag);
-  ASSERT_TRUE(dragged.ok());
+  const auto dragged = must(surfacer.rebuild(given.input(mode), Quality::drag));
   EXPECT_LT(largest(dragged->surface), 1e-10);
-  const auto released = surfacer.rebuild(given.input(mode));
-  ASSERT_TRUE(released.ok());
+  const auto released = must(surfacer.rebuild(given.input(mode)));
   EXPECT_LT(largest(released->surface), 1e-10);
   // All the sides move together.
   const Eigen::AngleAxisd turn(0.1, Vector3(1, 2, 3).normalized());
@@ -236,11 +230,10 @@ void expect_live(std::mt19937_64& rng) {
     for (auto* rows : {&join.curve, &join.row})
       for (Vector3& point : *rows) point = turn * point + Vector3(0.05, 0, 0.1);
   for (const Quality quality : {Quality::drag, Quality::final}) {
-    const auto followed = surfacer.rebuild(given.input(mode), quality);
-    ASSERT_TRUE(followed.ok()) << to_string(followed.error());
+    const auto followed = must(surfacer.rebuild(given.input(mode), quality));
     EXPECT_LT(largest(followed->surface), 1e-10);
     if (quality == Quality::drag) continue;
-    // What was done before does not matter.
+    // Earlier rebuilds do not matter.
     const auto cold = PolyhedronSurfacer().rebuild(given.input(mode));
     for (Index h = 0; h < cold->surface.patch_count(); ++h)
       EXPECT_EQ(cold->surface.patches().evaluate(h, {0.3, 0.3}, Order::first).position,
@@ -270,8 +263,7 @@ void expect_patch_adapts(std::uint64_t seed, int repeats, std::span<const Mode> 
     JoinCase given = scaled(random_join_case(rng, 0.75, 0), factor);
     for (Join& join : given.joins) join.patch_follows = true;
     for (const Mode mode : wanted) {
-      const auto made = PolyhedronSurfacer().rebuild(given.input(mode));
-      ASSERT_TRUE(made.ok()) << to_string(made.error());
+      const auto made = must(PolyhedronSurfacer().rebuild(given.input(mode)));
       for (const Join& join : given.joins) {
         const AdaptedNet adapted =
             adapted_net(net_of(join), {{{0, 0}, cross_row(made->surface.patches(), join.half_edge)}});

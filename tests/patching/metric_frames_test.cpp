@@ -27,8 +27,7 @@ PolyhedronSurfaceInput metric_input(const PolygonMesh& mesh, Mode mode = Mode::f
 }
 
 PolyhedronSurface surface_of(const PolyhedronSurfaceInput& input) {
-  auto result = PolyhedronSurfacer().rebuild(input);
-  EXPECT_TRUE(result.ok()) << to_string(result.error());
+  auto result = must(PolyhedronSurfacer().rebuild(input));
   return std::move(result).value();
 }
 
@@ -128,7 +127,7 @@ TEST(MetricFrames, DigitsOfUnevenCages) {
   EXPECT_NEAR(fig2.step(6, 0), 1.5917987522, 1e-10);
   EXPECT_NEAR(fig2.step(6, 7), 1.5497939013, 1e-10);
   EXPECT_NEAR(fig2.kappa(6, 0), 2.3409958778, 2e-10);
-  const Index corner = fig2.half_edge(6, 0);  // of the face (0, 1, 7, 6)
+  const Index corner = fig2.half_edge(6, 0);  // corner of the face (0, 1, 7, 6)
   EXPECT_NEAR(fig2.constants.x[corner], 0.3666550135, 1e-10);
   EXPECT_NEAR(fig2.constants.x[fig2.half_edge(7, 6)], 0.3790221624, 1e-10);
   EXPECT_NEAR(fig2.c(6, 0), 0.3756865274, 1e-10);
@@ -425,8 +424,7 @@ TEST(MetricFrames, AFinalSurfaceDoesNotDependOnDragsBefore) {
   input.polyhedron =
       start.with_positions(std::vector<Index>{6}, std::vector<Vector3>{moved.positions[6]}).value();
   ASSERT_TRUE(surfacer.rebuild(input, Quality::drag).ok());
-  const auto last = surfacer.rebuild(input);
-  ASSERT_TRUE(last.ok());
+  const auto last = must(surfacer.rebuild(input));
   EXPECT_EQ(largest_difference(patches_of(*last), patches_of(surface_of(metric_input(moved)))), 0);
 }
 
@@ -442,8 +440,7 @@ TEST(MetricFrames, SmallObjectsDoNotJumpWhenADragEnds) {
     for (int step = 1; step <= 5; ++step) {
       const Vector3 to = start.position(0) + 0.05 * step * size * Vector3(0.5, -0.3, 0.8);
       input.polyhedron = start.with_positions(std::vector<Index>{0}, std::vector<Vector3>{to}).value();
-      const auto frame = surfacer.rebuild(input, Quality::drag);
-      ASSERT_TRUE(frame.ok());
+      const auto frame = must(surfacer.rebuild(input, Quality::drag));
       EXPECT_LE(*continuity(frame->surface).largest_normal_jump, 1e-10);
       last = patches_of(*frame);
     }
@@ -458,11 +455,9 @@ TEST(MetricFrames, LargeObjectsAreSmoothInADragAndExactAtItsEnd) {
   ASSERT_TRUE(surfacer.rebuild(input).ok());
   const Vector3 to = start.position(7) + Vector3(0.1, 0.05, 0.1);
   input.polyhedron = start.with_positions(std::vector<Index>{7}, std::vector<Vector3>{to}).value();
-  const auto frame = surfacer.rebuild(input, Quality::drag);
-  ASSERT_TRUE(frame.ok());
+  const auto frame = must(surfacer.rebuild(input, Quality::drag));
   EXPECT_LE(*continuity(frame->surface).largest_normal_jump, 1e-7);
-  const auto last = surfacer.rebuild(input);
-  ASSERT_TRUE(last.ok());
+  const auto last = must(surfacer.rebuild(input));
   EXPECT_EQ(largest_difference(patches_of(*last), patches_of(surface_of(input))), 0);
 }
 

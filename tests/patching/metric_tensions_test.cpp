@@ -1,7 +1,5 @@
 // Frames by measure with tensions and creases: bending beside that of an independent prototype.
 
-#include <gtest/gtest.h>
-
 #include "core/analysis/measures.hpp"
 #include "core/patching/polyhedron_surface.hpp"
 #include "tests/support/golden.hpp"

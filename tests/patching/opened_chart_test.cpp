@@ -1,7 +1,5 @@
 // Changes of derivatives to other coordinates of a chart.
 
-#include <gtest/gtest.h>
-
 #include <cmath>
 
 #include "core/g2/faces/corner_side.hpp"

@@ -4,10 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include <gtest/gtest.h>
-
 #include "core/analysis/continuity.hpp"
-#include "core/analysis/measures.hpp"
 #include "core/patching/polyhedron_surface.hpp"
 #include "tests/support/random.hpp"
 
@@ -45,8 +42,7 @@ PolygonMesh lathe(Index sides, const std::vector<ProfilePoint>& profile) {
 PolyhedronSurface surface_of(const PolygonMesh& mesh) {
   PolyhedronSurfaceInput input{Polyhedron::build(mesh).value(), {}, Mode::fair, Vector3::Zero()};
   input.frames = Frames::metric;
-  auto made = PolyhedronSurfacer().rebuild(input);
-  EXPECT_TRUE(made.ok()) << to_string(made.error());
+  auto made = must(PolyhedronSurfacer().rebuild(input));
   return std::move(made).value();
 }
 

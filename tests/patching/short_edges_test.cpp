@@ -7,8 +7,6 @@
 #include <map>
 #include <numbers>
 
-#include <gtest/gtest.h>
-
 #include "core/analysis/continuity.hpp"
 #include "core/analysis/measures.hpp"
 #include "core/network/short_edges.hpp"
@@ -61,8 +59,7 @@ Made make(const PolygonMesh& mesh) {
   Polyhedron polyhedron = Polyhedron::build(mesh).value();
   PolyhedronSurfaceInput input{polyhedron, {}, Mode::fair, Vector3::Zero()};
   input.frames = Frames::metric;
-  auto made = PolyhedronSurfacer().rebuild(input);
-  EXPECT_TRUE(made.ok()) << to_string(made.error());
+  auto made = must(PolyhedronSurfacer().rebuild(input));
   return {std::move(polyhedron), std::move(made).value()};
 }
 

@@ -2,8 +2,6 @@
 
 #include "core/patching/vertex_shares.hpp"
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <array>
 
@@ -64,8 +62,7 @@ TEST(VertexShares, AreHowTheSurfaceFollowsWhereFramesStay) {
   for (const Mode mode : {Mode::paper, Mode::target, Mode::fair})
     for (const PolygonMesh& mesh : {cube(), prism(5), torus(9, 8), grid(9, 9)}) {
       const PolyhedronSurfaceInput input = input_of(mesh, mode);
-      const auto shares = vertex_shares(input, places());
-      ASSERT_TRUE(shares.ok());
+      const auto shares = must(vertex_shares(input, places()));
       for (Index v = 0; v < input.polyhedron.vertex_count(); v += 7)
         EXPECT_LT(worst_error(input, *shares, v), 0.08) << mesh.positions.size() << " vertex " << v;
     }
@@ -74,8 +71,7 @@ TEST(VertexShares, AreHowTheSurfaceFollowsWhereFramesStay) {
 TEST(VertexShares, OfSmallCagesAreExact) {
   // Every vertex is within one diagonal of every face, so none is left out.
   const PolyhedronSurfaceInput input = input_of(cube(), Mode::fair);
-  const auto shares = vertex_shares(input, places());
-  ASSERT_TRUE(shares.ok());
+  const auto shares = must(vertex_shares(input, places()));
   for (Index v = 0; v < 8; ++v) EXPECT_LT(worst_error(input, *shares, v), 1e-6) << v;
 }
 
@@ -84,8 +80,7 @@ TEST(VertexShares, AddUpToOneAndAreOneAtTheVertexItself) {
     for (const Mode mode : {Mode::fair, Mode::g2}) {
       PolyhedronSurfaceInput input = input_of(torus(9, 8), mode);
       input.frames = frames;
-      const auto shares = vertex_shares(input, places());
-      ASSERT_TRUE(shares.ok());
+      const auto shares = must(vertex_shares(input, places()));
       const HalfEdgeMesh& mesh = input.polyhedron.topology();
       for (Index f = 0; f < mesh.face_count(); ++f) {
         const FaceShares& face = (*shares)[f];

@@ -3,8 +3,6 @@
 
 #include "app/persistence/autosaver.hpp"
 
-#include <gtest/gtest.h>
-
 #include <thread>
 
 #include "tests/persistence/numbers.hpp"

@@ -1,16 +1,13 @@
 #include "app/persistence/crash_reports.hpp"
 
-#include <gtest/gtest.h>
 #include <unistd.h>
 
 #include <chrono>
 
 #include "tests/support/temporary_folder.hpp"
 
-namespace hariko {
+namespace hariko::test {
 namespace {
-
-using test::spill;
 
 void write_report(const std::filesystem::path& file, const std::string& text, std::chrono::hours age) {
   spill(file, text);
@@ -66,4 +63,4 @@ TEST(CrashReports, AFolderThatIsNotThereHasNone) {
 }
 
 }  // namespace
-}  // namespace hariko
+}  // namespace hariko::test

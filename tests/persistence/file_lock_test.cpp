@@ -1,6 +1,5 @@
 #include "app/persistence/file_lock.hpp"
 
-#include <gtest/gtest.h>
 #include <signal.h>
 #include <sys/file.h>
 #include <sys/wait.h>
@@ -126,7 +125,7 @@ TEST(FileLock, WithoutKernelLocksTheLifeOfTheOwnerDecides) {
     EXPECT_EQ(second.owner->since, 5);
   }
   EXPECT_FALSE(fs::exists(path));
-  // Of a process that is gone, of another boot, and nonsense: all stale. Of another machine: nothing is
+  // Stale owners: of a process that is gone, of another boot, and nonsense. Of another machine nothing is
   // known.
   LockOwner gone = this_process();
   gone.process_start += 1;

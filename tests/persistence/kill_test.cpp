@@ -1,7 +1,6 @@
 // A session that is killed while it edits, autosaves and saves: nothing that was written is lost, and nothing
 // that is found is a mixture.
 
-#include <gtest/gtest.h>
 #include <signal.h>
 #include <sys/mman.h>
 #include <sys/wait.h>
@@ -35,7 +34,7 @@ Document numbered_model(std::uint64_t number) {
   return document;
 }
 
-/// What the session says to its parent; survives the kill.
+/// Promises of the session to its parent; they survive the kill.
 struct Promises {
   std::atomic<std::uint64_t> kept = 0;  ///< number of the last document that was written, to whatever place
   std::atomic<std::uint64_t> autosaves = 0, saves = 0;
@@ -88,8 +87,7 @@ TEST(Kill, InTheMiddleOfASessionLosesNothingThatWasWritten) {
     ASSERT_EQ(::waitpid(child, &status, 0), child);
     ASSERT_TRUE(WIFSIGNALED(status)) << "writing failed before the kill";
 
-    const auto saved = load_document(original);
-    ASSERT_TRUE(saved.ok()) << to_string(saved.error());
+    const auto saved = test::must(load_document(original));
     ASSERT_TRUE(*saved == numbered_model(test::number_of(*saved)));
     std::uint64_t best = test::number_of(*saved);
     const auto leftovers = store.leftovers(0);

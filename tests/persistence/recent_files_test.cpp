@@ -2,8 +2,6 @@
 
 #include "app/persistence/recent_files.hpp"
 
-#include <gtest/gtest.h>
-
 #include "tests/support/temporary_folder.hpp"
 
 namespace hariko {

@@ -3,7 +3,6 @@
 
 #include "app/persistence/recovery_store.hpp"
 
-#include <gtest/gtest.h>
 #include <signal.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -48,8 +47,7 @@ class RecoveryStoreTest : public ::testing::Test {
 TEST_F(RecoveryStoreTest, NothingIsLeftByASessionThatClearedOrNeverWrote) {
   EXPECT_TRUE(store_.leftovers(0).empty()) << "a folder that does not exist";
   {
-    auto slot = store_.create(0);
-    ASSERT_TRUE(slot.ok()) << to_string(slot.error());
+    auto slot = test::must(store_.create(0));
     ASSERT_TRUE(store_.create(0).ok()) << "a second window";
   }
   {
@@ -72,8 +70,7 @@ TEST_F(RecoveryStoreTest, ACrashIsOfferedUntilItIsCleared) {
   EXPECT_TRUE(load_document(found[0].copy).value() == named("work")) << "a picture can be made of it";
   EXPECT_EQ(store_.leftovers(0).size(), 1U) << "looking does not take";
   {
-    const auto slot = store_.adopt(found[0].id, 0);
-    ASSERT_TRUE(slot.ok());
+    const auto slot = test::must(store_.adopt(found[0].id, 0));
     EXPECT_TRUE(read_recovery(slot->folder())->document == named("work"));
     EXPECT_EQ(store_.adopt(found[0].id, 0).error().code, e_recovery_taken) << "another window recovers it";
     EXPECT_TRUE(store_.leftovers(0).empty()) << "it has a living session again";
@@ -138,9 +135,7 @@ TEST_F(RecoveryStoreTest, DamageIsSaidAndHarmsNoOther) {
 
 TEST_F(RecoveryStoreTest, SaysWhyNothingCanBeKept) {
   test::spill(folder_.path() / "file", "");
-  const auto slot = RecoveryStore(folder_.path() / "file" / "recovery").create(0);
-  ASSERT_FALSE(slot.ok());
-  EXPECT_EQ(slot.error().code, e_recovery_folder);
+  test::must_fail(RecoveryStore(folder_.path() / "file" / "recovery").create(0), e_recovery_folder);
 }
 
 }  // namespace

@@ -1,18 +1,13 @@
 #include "app/persistence/run_log.hpp"
 
-#include <gtest/gtest.h>
-
 #include <cstdlib>
 #include <regex>
 #include <sstream>
 
 #include "tests/support/temporary_folder.hpp"
 
-namespace hariko {
+namespace hariko::test {
 namespace {
-
-using test::slurp;
-using test::spill;
 
 std::vector<std::string> lines_of(const std::filesystem::path& file) {
   std::istringstream in(slurp(file));
@@ -98,4 +93,4 @@ TEST(RunLog, NothingStopsForIt) {
 }
 
 }  // namespace
-}  // namespace hariko
+}  // namespace hariko::test

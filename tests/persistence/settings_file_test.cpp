@@ -2,8 +2,6 @@
 
 #include "app/persistence/settings_file.hpp"
 
-#include <gtest/gtest.h>
-
 #include <cmath>
 
 #include "tests/support/random.hpp"
@@ -17,7 +15,7 @@ namespace fs = std::filesystem;
 Settings unusual() {
   Settings settings;
   settings.theme = ThemeId::light;
-  settings.language = LanguageId::japanese;
+  settings.language = "japanese";
   settings.interface_scale = 1.75F;
   settings.colour_blind_maps = true;
   settings.unit = Unit::inch;

@@ -1,7 +1,5 @@
 #include "core/polyhedron/half_edge_mesh.hpp"
 
-#include <gtest/gtest.h>
-
 #include <map>
 #include <set>
 #include <utility>
@@ -9,14 +7,11 @@
 #include "core/polyhedron/polyhedron.hpp"
 #include "tests/support/random_polyhedra.hpp"
 
-namespace hariko {
+namespace hariko::test {
 namespace {
 
-using namespace test;
-
 HalfEdgeMesh built_mesh(const PolygonMesh& mesh) {
-  Result<HalfEdgeMesh> result = HalfEdgeMesh::build(mesh);
-  EXPECT_TRUE(result.ok()) << (result.ok() ? "" : to_string(result.error()));
+  Result<HalfEdgeMesh> result = must(HalfEdgeMesh::build(mesh));
   return std::move(result).value();
 }
 
@@ -77,12 +72,15 @@ void expect_fans(const HalfEdgeMesh& mesh) {
     const Index start = mesh.outgoing(v);
     if (start == no_index) {
       EXPECT_EQ(corners[v], 0U);
+      EXPECT_TRUE(fan_ends(mesh, v).empty());
       continue;
     }
     std::set<Index> seen;
+    std::vector<Index> walked, listed;
     Index h = start, last = no_index;
     while (h != no_index && seen.insert(h).second) {
       EXPECT_EQ(mesh.origin(h), v);
+      walked.push_back(h);
       // The edge that closes a corner opens the next one.
       const Index next = mesh.rotate(h);
       if (next != no_index) {
@@ -92,7 +90,17 @@ void expect_fans(const HalfEdgeMesh& mesh) {
       h = next;
     }
     EXPECT_EQ(seen.size(), corners[v]);
+    for (const Index corner : mesh.fan_corners(v)) listed.push_back(corner);
+    EXPECT_EQ(listed, walked);
+    const std::vector<FanEnd> ends = fan_ends(mesh, v);
+    ASSERT_EQ(ends.size(), mesh.valence(v));
+    for (std::size_t k = 0; k < walked.size(); ++k) {
+      EXPECT_EQ(ends[k].end, 2 * walked[k]);
+      EXPECT_EQ(ends[k].other, mesh.target(walked[k]));
+    }
     if (mesh.is_border_vertex(v)) {
+      EXPECT_EQ(ends.back().end, 2 * mesh.previous(last) + 1);
+      EXPECT_EQ(ends.back().other, mesh.origin(mesh.previous(last)));
       EXPECT_EQ(h, no_index);
       EXPECT_TRUE(mesh.is_border_edge(mesh.edge(start)));
       EXPECT_TRUE(mesh.is_border_edge(mesh.edge(mesh.previous(last))));
@@ -203,4 +211,4 @@ TEST(HalfEdgeMesh, IsolatedVerticesHaveNoFan) {
 }
 
 }  // namespace
-}  // namespace hariko
+}  // namespace hariko::test

@@ -2,8 +2,6 @@
 
 #include "core/polyhedron/join_corners.hpp"
 
-#include <gtest/gtest.h>
-
 #include <array>
 #include <set>
 

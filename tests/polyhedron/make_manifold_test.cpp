@@ -1,7 +1,5 @@
 // make_manifold: whatever a file holds becomes a polyhedron or is refused; what is sound stays as it is.
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
 
 #include "core/polyhedron/polyhedron.hpp"
@@ -10,10 +8,8 @@
 #include "core/polyhedron/volume.hpp"
 #include "tests/support/random_polyhedra.hpp"
 
-namespace hariko {
+namespace hariko::test {
 namespace {
-
-using namespace test;
 
 void reverse_face(PolygonMesh& mesh, std::size_t f) {
   std::reverse(mesh.face_vertices.begin() + mesh.face_offsets[f],
@@ -23,8 +19,7 @@ void reverse_face(PolygonMesh& mesh, std::size_t f) {
 TEST(MakeManifold, LeavesSoundMeshesAlone) {
   for_random(771, 200, [](std::mt19937_64& rng) {
     const PolygonMesh mesh = random_polyhedron(rng);
-    const auto repaired = make_manifold(mesh);
-    ASSERT_TRUE(repaired.ok());
+    const auto repaired = must(make_manifold(mesh));
     EXPECT_EQ(repaired->report, RepairReport{});
     EXPECT_EQ(repaired->mesh.positions, mesh.positions);
     EXPECT_EQ(repaired->mesh.face_vertices, mesh.face_vertices);
@@ -51,10 +46,8 @@ TEST(MakeManifold, RestoresWhatAFileSpoiled) {
       reverse_face(spoiled, f);
       ++turned;
     }
-    const auto repaired = make_manifold(spoiled);
-    ASSERT_TRUE(repaired.ok());
-    const auto topology = HalfEdgeMesh::build(repaired->mesh);
-    ASSERT_TRUE(topology.ok()) << to_string(topology.error());
+    const auto repaired = must(make_manifold(spoiled));
+    const auto topology = must(HalfEdgeMesh::build(repaired->mesh));
     EXPECT_EQ(repaired->mesh.positions.size(), mesh.positions.size());
     EXPECT_EQ(topology->border_loop_count(), 0U);
     for (const double volume : closed_component_volumes(*topology, repaired->mesh.positions))
@@ -81,10 +74,8 @@ TEST(MakeManifold, OrientsTheWingsOfAnEdgeWithThreeFacesBeforeItCutsThemApart) {
     mesh.add_face({first, first + 1, first + 3, first + 2});
   }
   ASSERT_FALSE(HalfEdgeMesh::build(mesh).ok());
-  const auto repaired = make_manifold(mesh);
-  ASSERT_TRUE(repaired.ok());
-  const auto topology = HalfEdgeMesh::build(repaired->mesh);
-  ASSERT_TRUE(topology.ok());
+  const auto repaired = must(make_manifold(mesh));
+  const auto topology = must(HalfEdgeMesh::build(repaired->mesh));
   EXPECT_EQ(topology->border_loop_count(), 3U) << "a wing fell apart";
   EXPECT_EQ(repaired->report.split_vertices, 4U);
   EXPECT_EQ(repaired->report.turned_faces, 3U);
@@ -93,8 +84,7 @@ TEST(MakeManifold, OrientsTheWingsOfAnEdgeWithThreeFacesBeforeItCutsThemApart) {
 TEST(MakeManifold, DropsDoubleFacesButKeepsALens) {
   PolygonMesh mesh = cube();
   mesh.add_face(std::vector<Index>(mesh.face(2).begin(), mesh.face(2).end()));
-  const auto repaired = make_manifold(mesh);
-  ASSERT_TRUE(repaired.ok());
+  const auto repaired = must(make_manifold(mesh));
   EXPECT_EQ(repaired->report.dropped_faces, 1U);
   EXPECT_EQ(repaired->mesh.face_vertices, cube().face_vertices);
 
@@ -110,8 +100,7 @@ TEST(MakeManifold, AFaceThatComesBackToAVertexBecomesSeveral) {
   mesh.positions = {{0, 0, 0}, {1, 1, 0}, {1, -1, 0}, {-1, -1, 0}, {-1, 1, 0}};
   mesh.add_face({0, 1, 2, 0, 3, 4});
   EXPECT_EQ(split_repeated_corners(mesh).face_count(), 2U);
-  const auto repaired = make_manifold(mesh);
-  ASSERT_TRUE(repaired.ok());
+  const auto repaired = must(make_manifold(mesh));
   EXPECT_TRUE(HalfEdgeMesh::build(repaired->mesh).ok());
   EXPECT_EQ(repaired->mesh.face_count(), 2U);
 }
@@ -122,8 +111,7 @@ TEST(MakeManifold, SplitFacesDoNotHideThatOthersWereDropped) {
   mesh.add_face({0, 1, 2, 0, 3, 4});  // becomes two
   mesh.add_face({1, 2, 9});           // has a vertex that does not exist
   mesh.add_face({0, 5, 0, 5});        // has no loop
-  const auto repaired = make_manifold(mesh);
-  ASSERT_TRUE(repaired.ok());
+  const auto repaired = must(make_manifold(mesh));
   EXPECT_EQ(repaired->mesh.face_count(), 2U);
   EXPECT_EQ(repaired->report.dropped_faces, 2U);
 
@@ -137,8 +125,7 @@ TEST(MakeManifold, SplitFacesDoNotHideThatOthersWereDropped) {
   std::rotate(next.begin(), std::find(next.begin(), next.end(), both[0]), next.end());
   both.insert(both.end(), next.begin(), next.end());
   doubled.add_face(both);
-  const auto parted = make_manifold(doubled);
-  ASSERT_TRUE(parted.ok());
+  const auto parted = must(make_manifold(doubled));
   EXPECT_EQ(parted->mesh.face_vertices, cube().face_vertices);
   EXPECT_EQ(parted->report.dropped_faces, 2U) << "both parts of the face were there already";
 }
@@ -165,8 +152,7 @@ TEST(MakeManifold, GarbageBecomesAPolyhedronOrIsRefused) {
     const auto polyhedron = Polyhedron::build(repaired->mesh);
     ASSERT_TRUE(polyhedron.ok()) << to_string(polyhedron.error());
     // Once repaired there is nothing left to repair.
-    const auto again = make_manifold(repaired->mesh);
-    ASSERT_TRUE(again.ok());
+    const auto again = must(make_manifold(repaired->mesh));
     EXPECT_EQ(again->mesh.face_count(), repaired->mesh.face_count());
     EXPECT_EQ(again->report.dropped_faces, 0U);
   });
@@ -178,10 +164,9 @@ TEST(MakeManifold, PositionsThatAreNoNumbersAreRefused) {
   PolygonMesh mesh = cube();
   mesh.positions[3].y() = std::nan("");
   const auto repaired = make_manifold(mesh);
-  ASSERT_FALSE(repaired.ok());
-  EXPECT_EQ(repaired.error().code, e_nonfinite);
+  must_fail(repaired, e_nonfinite);
   EXPECT_EQ(repaired.error().element, element_of(VertexId{3}));
 }
 
 }  // namespace
-}  // namespace hariko
+}  // namespace hariko::test

@@ -1,7 +1,5 @@
 // A history of small edits costs little memory: versions of a polyhedron share what they have in common.
 
-#include <gtest/gtest.h>
-
 #include <cstdio>
 
 #include "core/polyhedron/polyhedron.hpp"

@@ -1,16 +1,12 @@
 #include "core/polyhedron/polyhedron.hpp"
 
-#include <gtest/gtest.h>
-
 #include <limits>
 
 #include "core/polyhedron/validation.hpp"
 #include "tests/support/random_polyhedra.hpp"
 
-namespace hariko {
+namespace hariko::test {
 namespace {
-
-using namespace test;
 
 Polyhedron built(const PolygonMesh& mesh) {
   return Polyhedron::build(mesh).value();
@@ -107,8 +103,7 @@ TEST(Polyhedron, WithPositionsRefusesNonFiniteOnes) {
   for (double bad : {std::numeric_limits<double>::infinity(), std::nan("")}) {
     const Vector3 position(0, bad, 0);
     const auto result = built(cube()).with_positions({&vertex, 1}, {&position, 1});
-    ASSERT_FALSE(result.ok());
-    EXPECT_EQ(result.error().code, e_nonfinite);
+    must_fail(result, e_nonfinite);
     EXPECT_EQ(result.error().element, element_of(VertexId{5}));
   }
 }
@@ -173,4 +168,4 @@ TEST(Origin, SurvivesExtremeCoordinates) {
 }
 
 }  // namespace
-}  // namespace hariko
+}  // namespace hariko::test

@@ -1,20 +1,15 @@
 #include "core/polyhedron/repair.hpp"
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <numbers>
-#include <set>
 
 #include "core/polyhedron/polyhedron.hpp"
 #include "core/polyhedron/validation.hpp"
 #include "core/polyhedron/volume.hpp"
 #include "tests/support/random_polyhedra.hpp"
 
-namespace hariko {
+namespace hariko::test {
 namespace {
-
-using namespace test;
 
 PolygonMesh with_random_flips(const PolygonMesh& mesh, std::mt19937_64& rng) {
   PolygonMesh out = mesh;
@@ -47,10 +42,8 @@ void expect_same_faces(const PolygonMesh& a, const PolygonMesh& b) {
 TEST(RepairOrientation, RestoresClosedMeshes) {
   for_random(401, 200, [](std::mt19937_64& rng) {
     const PolygonMesh mesh = random_closed_polyhedron(rng);
-    const auto repaired = repair_orientation(with_random_flips(mesh, rng));
-    ASSERT_TRUE(repaired.ok());
-    const auto topology = HalfEdgeMesh::build(*repaired);
-    ASSERT_TRUE(topology.ok());
+    const auto repaired = must(repair_orientation(with_random_flips(mesh, rng)));
+    const auto topology = must(HalfEdgeMesh::build(*repaired));
     for (double volume : closed_component_volumes(*topology, repaired->positions)) EXPECT_GT(volume, 0);
     EXPECT_EQ(repaired->positions, mesh.positions);
     expect_same_faces(*repaired, mesh);
@@ -60,11 +53,9 @@ TEST(RepairOrientation, RestoresClosedMeshes) {
 TEST(RepairOrientation, RestoresAnyMeshAndLeavesGoodOnesAlone) {
   for_random(402, 200, [](std::mt19937_64& rng) {
     const PolygonMesh mesh = random_polyhedron(rng);
-    const auto repaired = repair_orientation(with_random_flips(mesh, rng));
-    ASSERT_TRUE(repaired.ok());
+    const auto repaired = must(repair_orientation(with_random_flips(mesh, rng)));
     EXPECT_TRUE(HalfEdgeMesh::build(*repaired).ok());
-    const auto untouched = repair_orientation(mesh);
-    ASSERT_TRUE(untouched.ok());
+    const auto untouched = must(repair_orientation(mesh));
     EXPECT_EQ(untouched->face_vertices, mesh.face_vertices);
   });
 }
@@ -108,8 +99,7 @@ PolygonMesh moebius(int n) {
 
 TEST(RepairOrientation, RefusesOneSidedSurfaces) {
   const auto result = repair_orientation(moebius(7));
-  ASSERT_FALSE(result.ok());
-  EXPECT_EQ(result.error().code, e_edge_nonmanifold_or_flipped);
+  must_fail(result, e_edge_nonmanifold_or_flipped);
   EXPECT_EQ(result.error().element.kind, Element::Kind::edge);
   EXPECT_NE(result.error().text.find("one side"), std::string::npos);
 }
@@ -123,8 +113,7 @@ PolygonMesh three_wings() {
 
 TEST(RepairOrientation, RefusesEdgesWithThreeFaces) {
   const auto result = repair_orientation(three_wings());
-  ASSERT_FALSE(result.ok());
-  EXPECT_EQ(result.error().code, e_edge_nonmanifold_or_flipped);
+  must_fail(result, e_edge_nonmanifold_or_flipped);
   EXPECT_EQ(result.error().element, element_of(EdgeId::of(VertexId{0}, VertexId{1})));
 }
 
@@ -137,8 +126,7 @@ TEST(SplitNonmanifoldEdges, SeparatesWings) {
 
 TEST(SplitNonmanifoldEdges, CutsMoebiusStripOpen) {
   const PolygonMesh split = split_nonmanifold_edges(moebius(7));
-  const auto topology = HalfEdgeMesh::build(split);
-  ASSERT_TRUE(topology.ok());
+  const auto topology = must(HalfEdgeMesh::build(split));
   EXPECT_EQ(topology->border_loop_count(), 1U);
   EXPECT_EQ(split.positions.size(), 16U);
 }
@@ -148,8 +136,7 @@ TEST(SplitNonmanifoldEdges, TwoCubesAlongAnEdge) {
   const PolygonMesh mesh = weld(together(cube(), cube(), {2, 2, 0}), 0);
   ASSERT_TRUE(has_code(mesh, e_edge_nonmanifold_or_flipped));
   const PolygonMesh split = split_nonmanifold_edges(mesh);
-  const auto topology = HalfEdgeMesh::build(split);
-  ASSERT_TRUE(topology.ok());
+  const auto topology = must(HalfEdgeMesh::build(split));
   EXPECT_EQ(split.positions.size(), 16U);
   EXPECT_EQ(topology->border_loop_count(), 0U);
 }
@@ -336,4 +323,4 @@ TEST(Repairs, SurviveGarbage) {
 }
 
 }  // namespace
-}  // namespace hariko
+}  // namespace hariko::test

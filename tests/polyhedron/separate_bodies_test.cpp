@@ -1,7 +1,5 @@
 // Bodies that touch, faces with holes, cavities: what repairs and readers make of them.
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <numeric>
 
@@ -11,10 +9,8 @@
 #include "core/polyhedron/volume.hpp"
 #include "tests/support/random_polyhedra.hpp"
 
-namespace hariko {
+namespace hariko::test {
 namespace {
-
-using namespace test;
 
 /// Mesh in which vertices at equal positions are one.
 PolygonMesh shared(const PolygonMesh& mesh) {
@@ -68,8 +64,7 @@ TEST(SeparateBodies, CubesThatTouchInAPointAnEdgeOrAFaceStayTwo) {
     for (std::size_t v = 0; v < apart->original.size(); ++v)
       EXPECT_EQ(apart->mesh.positions[v], touching.positions[apart->original[v]]);
     // The repair does the same, though it merges vertices first.
-    const auto repaired = make_manifold(touching);
-    ASSERT_TRUE(repaired.ok());
+    const auto repaired = must(make_manifold(touching));
     EXPECT_EQ(volumes_of(repaired->mesh).size(), 2U) << step.transpose();
   }
 }
@@ -109,6 +104,42 @@ TEST(SeparateBodies, NothingIsMadeOfSheetsDoublesAndSoundMeshes) {
   EXPECT_FALSE(separate_bodies(shared(together(cube(), cube(), Vector3::Zero()))).has_value());
 }
 
+TEST(SeparateBodies, ABodyThatTouchesItselfAtBothEndsOfAnEdgeStaysClosed) {
+  // Two columns between two slabs meet along an edge, and hang together round both of its ends.
+  const PolygonMesh mesh = cells(2, 2, 3, [](int x, int y, int z) { return z != 1 || x == y; });
+  ASSERT_EQ(HalfEdgeMesh::build(mesh).error().code, e_edge_nonmanifold_or_flipped);
+  const auto apart = separate_bodies(mesh);
+  ASSERT_TRUE(apart.has_value());
+  EXPECT_EQ(apart->mesh.positions.size(), mesh.positions.size() + 2);
+  const std::vector<double> volumes = volumes_of(apart->mesh);
+  ASSERT_EQ(volumes.size(), 1U);
+  EXPECT_NEAR(volumes[0], 10, 1e-12);
+  const auto repaired = must(make_manifold(mesh));
+  EXPECT_EQ(volumes_of(repaired->mesh), volumes);
+  EXPECT_EQ(repaired->report.turned_faces, 0U);
+}
+
+TEST(SeparateBodies, WhateverCellsAreFilledTheirBoundaryCloses) {
+  for_random(1127, 200, [](std::mt19937_64& rng) {
+    const int nx = uniform_int(rng, 2, 4), ny = uniform_int(rng, 2, 4), nz = uniform_int(rng, 2, 5);
+    std::vector<char> filled(static_cast<std::size_t>(nx * ny * nz));
+    const double share = uniform(rng, 0.2, 0.9);
+    for (char& cell : filled) cell = chance(rng, share);
+    const auto count = static_cast<double>(std::count(filled.begin(), filled.end(), 1));
+    const PolygonMesh mesh = cells(nx, ny, nz, [&](int x, int y, int z) {
+      return filled[static_cast<std::size_t>((x * ny + y) * nz + z)] != 0;
+    });
+    if (count == 0 || HalfEdgeMesh::build(mesh).ok()) return;
+    for (const double sign : {1.0, -1.0}) {
+      const auto apart = separate_bodies(sign > 0 ? mesh : inside_out(mesh));
+      ASSERT_TRUE(apart.has_value());
+      const std::vector<double> volumes = volumes_of(apart->mesh);
+      ASSERT_FALSE(volumes.empty()) << "it has borders";
+      EXPECT_NEAR(std::accumulate(volumes.begin(), volumes.end(), 0.0), sign * count, 1e-9);
+    }
+  });
+}
+
 TEST(SeparateBodies, AFinIsCutOffAndTheBodyStaysClosed) {
   PolygonMesh mesh = cube();
   const auto edge = mesh.face(0);
@@ -116,10 +147,8 @@ TEST(SeparateBodies, AFinIsCutOffAndTheBodyStaysClosed) {
   mesh.positions.push_back(2 * mesh.positions[a] - mesh.positions[edge[2]] + Vector3(0.1, 0.2, 0.3));
   mesh.add_face({a, b, tip});
   EXPECT_FALSE(separate_bodies(mesh).has_value());
-  const auto repaired = make_manifold(mesh);
-  ASSERT_TRUE(repaired.ok());
-  const auto topology = HalfEdgeMesh::build(repaired->mesh);
-  ASSERT_TRUE(topology.ok());
+  const auto repaired = must(make_manifold(mesh));
+  const auto topology = must(HalfEdgeMesh::build(repaired->mesh));
   EXPECT_EQ(topology->border_loop_count(), 1U);
   EXPECT_EQ(repaired->report.split_vertices, 2U);
 }
@@ -156,13 +185,11 @@ TEST(Keyholes, TheRingIsCoveredAndTheHoleIsNot) {
   const CutKeyholes cut = cut_keyholes(frame(false));
   EXPECT_EQ(cut.cut, 1U);
   const PolygonMesh joined = join_corners(frame(true), 0).mesh;
-  const auto repaired = make_manifold(frame(false));
-  ASSERT_TRUE(repaired.ok());
+  const auto repaired = must(make_manifold(frame(false)));
   EXPECT_EQ(repaired->report.cut_faces, 1U);
   EXPECT_EQ(repaired->report.turned_faces, 0U);
   for (const PolygonMesh* mesh : {&cut.mesh, &joined, &repaired->mesh}) {
-    const auto topology = HalfEdgeMesh::build(*mesh);
-    ASSERT_TRUE(topology.ok()) << to_string(topology.error());
+    const auto topology = must(HalfEdgeMesh::build(*mesh));
     EXPECT_EQ(topology->border_loop_count(), 2U);
     EXPECT_NEAR(area_of(*mesh), 3200, 1e-9);
     EXPECT_EQ(mesh->positions.size(), 8U);
@@ -199,4 +226,4 @@ TEST(Cavities, LookInwardsAndStaySo) {
 }
 
 }  // namespace
-}  // namespace hariko
+}  // namespace hariko::test

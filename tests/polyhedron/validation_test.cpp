@@ -1,7 +1,5 @@
 #include "core/polyhedron/validation.hpp"
 
-#include <gtest/gtest.h>
-
 #include <limits>
 #include <numbers>
 #include <string>
@@ -10,10 +8,8 @@
 #include "core/polyhedron/repair.hpp"
 #include "tests/support/random_polyhedra.hpp"
 
-namespace hariko {
+namespace hariko::test {
 namespace {
-
-using namespace test;
 
 /// "CODE element", one a message.
 using Findings = std::vector<std::string>;
@@ -221,21 +217,48 @@ TEST(ValidationWarnings, InsideOutFarFromZero) {
   });
 }
 
-TEST(ValidationWarnings, DuplicateVertex) {
-  EXPECT_EQ(findings(together(cube(), cube(), {2, 2, 2})), Findings{"W_DUPLICATE_VERTEX vertex 8"});
-  EXPECT_NE(validate(together(cube(), cube(), {2, 2, 2}))[0].text.find("vertex 6"), std::string::npos);
+/// Two flat sheets side by side, whose corners 1 and 3, 4 and 6 lie at the same places.
+PolygonMesh sheets_side_by_side() {
+  PolygonMesh mesh = together(grid(1, 1), grid(1, 1), {2, 0, 0});
+  for (Vector3& p : mesh.positions) p.z() = 0;
+  return mesh;
+}
+
+TEST(ValidationWarnings, DuplicateVertexOnBorders) {
+  PolygonMesh even = sheets_side_by_side();
+  EXPECT_EQ(findings(even), (Findings{"W_DUPLICATE_VERTEX vertex 4", "W_DUPLICATE_VERTEX vertex 6"}));
+  EXPECT_NE(validate(even)[0].text.find("vertex 1"), std::string::npos);
   // Nearly the same place, relative to the size.
-  PolygonMesh close = together(cube(), cube(), {2, 2, 2});
-  close.positions[8].x() += 1e-13;
-  EXPECT_EQ(findings(close), Findings{"W_DUPLICATE_VERTEX vertex 8"});
-  close.positions[8].x() += 1e-10;
-  EXPECT_EQ(findings(close), Findings{});
+  even.positions[4].x() += 1e-13;
+  EXPECT_EQ(findings(even), (Findings{"W_DUPLICATE_VERTEX vertex 4", "W_DUPLICATE_VERTEX vertex 6"}));
+  even.positions[4].x() += 1e-10;
+  EXPECT_EQ(findings(even), Findings{"W_DUPLICATE_VERTEX vertex 6"});
+}
+
+TEST(ValidationWarnings, ClosedPartsThatTouchAreNoDuplicates) {
+  for (const Vector3& step : {Vector3(2, 2, 2), Vector3(2, 2, 0), Vector3(2, 0, 0)})
+    EXPECT_EQ(findings(together(cube(), cube(), step)), Findings{}) << step.transpose();
+  // Nor is a body that touches itself: a slab on two feet that meet along an edge.
+  const PolygonMesh arch = cells(2, 2, 2, [](int x, int y, int z) { return z == 1 || x == y; });
+  ASSERT_FALSE(HalfEdgeMesh::build(arch).ok());
+  const auto apart = separate_bodies(arch);
+  ASSERT_TRUE(apart.has_value());
+  ASSERT_GT(apart->mesh.positions.size(), arch.positions.size());
+  EXPECT_EQ(findings(apart->mesh), Findings{});
+  // Two cubes that touch along a face: a weld closes nothing while one of them is closed there; the borders
+  // of two open ones meet.
+  const PolygonMesh open_right = without_face(cube(), 3), open_left = without_face(cube(), 5);
+  EXPECT_EQ(findings(together(open_right, cube(), {2, 0, 0})), Findings{});
+  EXPECT_EQ(findings(together(open_right, open_left, {2, 0, 0})).size(), 4U);
 }
 
 TEST(ValidationWarnings, ZeroEdge) {
   PolygonMesh mesh = grid(3, 3);
   mesh.positions[6] = mesh.positions[5];
-  EXPECT_EQ(findings(mesh), (Findings{"W_DUPLICATE_VERTEX vertex 6", "W_ZERO_EDGE edge 5-6"}));
+  EXPECT_EQ(findings(mesh), Findings{"W_ZERO_EDGE edge 5-6"});
+  mesh = grid(3, 3);
+  mesh.positions[2] = mesh.positions[1];  // on the border
+  EXPECT_EQ(findings(mesh), (Findings{"W_DUPLICATE_VERTEX vertex 2", "W_ZERO_EDGE edge 1-2"}));
 }
 
 TEST(ValidationWarnings, ConcaveFace) {
@@ -295,17 +318,18 @@ TEST(ValidationWarnings, InnerValence2) {
 }
 
 TEST(ValidationWarnings, OfAPolyhedronUseItsIds) {
-  PolygonMesh mesh = together(cube(), turned(cube()), {2, 2, 2});
+  PolygonMesh mesh = together(sheets_side_by_side(), turned(cube()), {9, 0, 0});
   std::vector<VertexId> vertex_ids;
   std::vector<FaceId> face_ids;
   for (Index v = 0; v < 16; ++v) vertex_ids.push_back({10 * v});
-  for (Index f = 0; f < 12; ++f) face_ids.push_back({5 * f});
+  for (Index f = 0; f < 8; ++f) face_ids.push_back({5 * f});
   const Polyhedron polyhedron = Polyhedron::build(mesh, vertex_ids, face_ids).value();
   const std::vector<Message> messages = warnings_of(polyhedron);
-  ASSERT_EQ(messages.size(), 2U);
-  EXPECT_EQ(finding(messages[0]), "W_INSIDE_OUT face 30");
-  EXPECT_EQ(finding(messages[1]), "W_DUPLICATE_VERTEX vertex 80");
-  EXPECT_NE(messages[1].text.find("vertex 60"), std::string::npos);
+  ASSERT_EQ(messages.size(), 3U);
+  EXPECT_EQ(finding(messages[0]), "W_INSIDE_OUT face 10");
+  EXPECT_EQ(finding(messages[1]), "W_DUPLICATE_VERTEX vertex 40");
+  EXPECT_NE(messages[1].text.find("vertex 10"), std::string::npos);
+  EXPECT_EQ(finding(messages[2]), "W_DUPLICATE_VERTEX vertex 60");
 }
 
 TEST(ValidationWarnings, PerturbedRandomPolyhedraHaveOnlyHarmlessOnes) {
@@ -328,7 +352,26 @@ TEST(Validation, LargeInputTakesNoQuadraticTime) {
   PolygonMesh heap = grid(200, 200);
   for (Vector3& p : heap.positions) p = Vector3::Ones();
   EXPECT_EQ(validate(heap, 1).size(), 2U);
+  // Many bodies beside each other, of which every second one is inside out.
+  const PolygonMesh body = cube(), wrong = turned(cube());
+  PolygonMesh bodies;
+  constexpr int rows = 250;
+  for (int k = 0; k < rows * rows; ++k) {
+    const PolygonMesh& part = k % 2 == 0 ? body : wrong;
+    const auto first = static_cast<Index>(bodies.positions.size());
+    const Vector3 place(3 * (k % rows), 3 * (k / rows), 0);
+    for (const Vector3& p : part.positions) bodies.positions.push_back(p + place);
+    for (std::size_t f = 0; f < part.face_count(); ++f) {
+      std::vector<Index> face(part.face(f).begin(), part.face(f).end());
+      for (Index& v : face) v += first;
+      bodies.add_face(face);
+    }
+  }
+  const std::vector<Message> messages = validate(bodies, 1);
+  ASSERT_EQ(messages.size(), 1U);
+  EXPECT_EQ(messages[0].code, w_inside_out);
+  EXPECT_NE(messages[0].text.find("(31249 more like this.)"), std::string::npos) << messages[0].text;
 }
 
 }  // namespace
-}  // namespace hariko
+}  // namespace hariko::test

@@ -1,15 +1,11 @@
 #include "render/camera.hpp"
 
-#include <gtest/gtest.h>
-
 #include <numbers>
 
 #include "tests/support/random.hpp"
 
-namespace hariko {
+namespace hariko::test {
 namespace {
-
-using namespace hariko::test;
 
 constexpr PixelSize picture_size{800, 600};
 constexpr double pi = std::numbers::pi;
@@ -199,4 +195,4 @@ TEST(Camera, FarFromZeroProjectsAsPreciselyAsNear) {
 }
 
 }  // namespace
-}  // namespace hariko
+}  // namespace hariko::test

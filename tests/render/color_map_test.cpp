@@ -1,16 +1,12 @@
 #include "render/color_map.hpp"
 
-#include <gtest/gtest.h>
-
 #include <cmath>
 #include <limits>
 
 #include "tests/support/random.hpp"
 
-namespace hariko {
+namespace hariko::test {
 namespace {
-
-using namespace hariko::test;
 
 constexpr float nan_value = std::numeric_limits<float>::quiet_NaN();
 
@@ -203,4 +199,4 @@ TEST(Histogram, CountsWithinTheRange) {
 }
 
 }  // namespace
-}  // namespace hariko
+}  // namespace hariko::test

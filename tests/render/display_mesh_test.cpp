@@ -1,17 +1,13 @@
 #include "render/display_mesh.hpp"
 
-#include <gtest/gtest.h>
-
 #include <set>
 
 #include "render/surface_maps.hpp"
 #include "tests/support/analytic_patches.hpp"
 #include "tests/support/random.hpp"
 
-namespace hariko {
+namespace hariko::test {
 namespace {
-
-using namespace hariko::test;
 
 Vector3 as_vector(const std::array<float, 3>& a) {
   return {double(a[0]), double(a[1]), double(a[2])};
@@ -137,4 +133,4 @@ TEST(DisplayMesh, ASurfaceWithoutPatchesIsEmpty) {
 }
 
 }  // namespace
-}  // namespace hariko
+}  // namespace hariko::test

@@ -1,7 +1,5 @@
 #include "render/drawing_camera.hpp"
 
-#include <gtest/gtest.h>
-
 #include "tests/support/random.hpp"
 
 namespace hariko {
@@ -15,7 +13,7 @@ TEST(DrawingCamera, ThePageShowsWhatThePictureShows) {
     camera.distance = size * test::uniform(rng, 3, 10);
     camera.orthographic = test::chance(rng, 0.5);
     const PixelSize picture{800, 500};
-    const double scale = test::log_uniform(rng, 0.1, 10);  // of the page to the picture
+    const double scale = test::log_uniform(rng, 0.1, 10);  // scale of the page to the picture
     const Box3 shown(camera.target - Vector3::Constant(size), camera.target + Vector3::Constant(size));
     const DrawingView view = drawing_view(camera, scale * 800, scale * 500, shown);
     const Projector projector(camera, picture);

@@ -1,13 +1,11 @@
 // Environments: the pictures made by formula, their levels for rough surfaces, and files of them.
 
-#include <gtest/gtest.h>
-
 #include <cmath>
-#include <numbers>
 
 #include "render/environment.hpp"
 #include "render/image.hpp"
 #include "render/reference_image.hpp"
+#include "tests/support/must.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace hariko {
@@ -140,8 +138,7 @@ TEST(EnvironmentAxes, TurnAnticlockwiseFromAbove) {
 
 TEST(ReadEnvironment, ReducesPicturesOfAnySizeInLinearLight) {
   for (const int height : {2, 100, 128, 300}) {
-    const auto read = read_environment(png_of_red_sky(2 * height, height));
-    ASSERT_TRUE(read.ok()) << read.error().text;
+    const auto read = test::must(read_environment(png_of_red_sky(2 * height, height)));
     EXPECT_EQ(read->width, environment_width);
     EXPECT_EQ(read->height, environment_height);
     EXPECT_NEAR(read->at(5, 3)[0], 1, 1e-5F);
@@ -157,8 +154,7 @@ TEST(ReadEnvironment, ReducesRadianceFiles) {
   for (const char exponent :
        {char(131), char(131), char(131), char(131), char(129), char(129), char(129), char(129)})
     file += std::string(3, char(128)) + exponent;
-  const auto read = read_environment(file);
-  ASSERT_TRUE(read.ok()) << read.error().text;
+  const auto read = test::must(read_environment(file));
   EXPECT_NEAR(read->at(0, 0)[1], 4 * 128.5F / 128, 1e-4F);
   EXPECT_NEAR(read->at(255, 127)[1], 128.5F / 128, 1e-4F);
 }
@@ -168,8 +164,7 @@ TEST(ReadEnvironment, RefusesOtherFilesAndShapesWithASentence) {
   EXPECT_EQ(code(""), e_picture_kind);
   EXPECT_EQ(code("no picture"), e_picture_kind);
   const auto square = read_environment(png_of_red_sky(100, 100));
-  ASSERT_FALSE(square.ok());
-  EXPECT_EQ(square.error().code, e_environment_shape);
+  test::must_fail(square, e_environment_shape);
   EXPECT_NE(square.error().text.find("100 x 100"), std::string::npos);
   EXPECT_EQ(code("#?RADIANCE\n\n-Y 4 +X 4\n"), e_environment_shape);
   EXPECT_EQ(code("#?RADIANCE\n\n-Y 4 +X 8\n"), e_image_read);

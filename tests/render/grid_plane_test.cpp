@@ -2,16 +2,12 @@
 
 #include "render/grid_plane.hpp"
 
-#include <gtest/gtest.h>
-
 #include <cmath>
 
 #include "tests/support/random.hpp"
 
-namespace hariko {
+namespace hariko::test {
 namespace {
-
-using namespace test;
 
 TEST(GridPlace, AGridOfItsOwnLiesInItsPlaneWithLinesThroughItsZero) {
   for_random(4401, 200, [](std::mt19937_64& rng) {
@@ -61,4 +57,4 @@ TEST(GridPlace, FromItsEdgeAPlaneGivesWayToTheGroundOrTheSide) {
 }
 
 }  // namespace
-}  // namespace hariko
+}  // namespace hariko::test

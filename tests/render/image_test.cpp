@@ -1,7 +1,5 @@
 #include "render/image.hpp"
 
-#include <gtest/gtest.h>
-
 #include <filesystem>
 #include <fstream>
 #include <numbers>
@@ -13,10 +11,8 @@
 #include "tests/support/random.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace hariko {
+namespace hariko::test {
 namespace {
-
-using namespace hariko::test;
 
 class PngFile : public ::testing::Test {
  protected:
@@ -34,8 +30,7 @@ TEST_F(PngFile, RoundTripKeepsEveryPixelInItsPlace) {
   for_random(9, 5, [&](std::mt19937_64& rng) {
     const Image image = random_image(rng, uniform_int(rng, 1, 70), uniform_int(rng, 1, 50));
     ASSERT_TRUE(write_png(path_, image).ok());
-    const Result<Image> back = read_png(path_);
-    ASSERT_TRUE(back.ok()) << to_string(back.error());
+    const Result<Image> back = must(read_png(path_));
     EXPECT_EQ(back->width, image.width);
     EXPECT_EQ(back->height, image.height);
     EXPECT_EQ(back->rgba, image.rgba);
@@ -43,9 +38,7 @@ TEST_F(PngFile, RoundTripKeepsEveryPixelInItsPlace) {
 }
 
 TEST_F(PngFile, AFolderThatDoesNotExistIsAnError) {
-  const Result<Done> done = write_png("/nonexistent-folder/a.png", Image(2, 2));
-  ASSERT_FALSE(done.ok());
-  EXPECT_EQ(done.error().code, e_file_write);
+  must_fail(write_png("/nonexistent-folder/a.png", Image(2, 2)), e_file_write);
 }
 
 TEST_F(PngFile, BrokenFilesAreErrors) {
@@ -146,4 +139,4 @@ TEST(Legend, FitsTinyPictures) {
 }
 
 }  // namespace
-}  // namespace hariko
+}  // namespace hariko::test

@@ -1,15 +1,13 @@
 // Maps of making on display meshes: the same bits on any number of threads, values of the world, and reasons.
 
-#include <gtest/gtest.h>
-
 #include <cmath>
 #include <cstring>
 
 #include "core/base/parallel.hpp"
-#include "core/surface/facets.hpp"
 #include "render/picking.hpp"
 #include "render/surface_maps.hpp"
 #include "tests/support/analytic_patches.hpp"
+#include "tests/support/must.hpp"
 
 namespace hariko {
 namespace {
@@ -87,14 +85,11 @@ TEST(MakingMapsOnMeshes, AMovedCopyDeviatesByTheWay) {
 TEST(MakingMapsOnMeshes, WhatCannotBeSaysWhyAndWhatToDo) {
   const Surface open = test::height_field(1, 1, [](Index, Index) { return test::plane(); });
   const auto walls = map_options(open, SurfaceMap::thickness, 4, {});
-  ASSERT_FALSE(walls);
-  EXPECT_EQ(walls.error().code, e_map_open);
+  test::must_fail(walls, e_map_open);
   EXPECT_FALSE(walls.error().remedy.empty());
   MapPlace facets;
   facets.facets = true;
-  const auto radius = map_options(open, SurfaceMap::radius, 4, facets);
-  ASSERT_FALSE(radius);
-  EXPECT_EQ(radius.error().code, e_map_facets);
+  test::must_fail(map_options(open, SurfaceMap::radius, 4, facets), e_map_facets);
   MapPlace alone;
   alone.no_reference = make_error(e_map_reference, "There is none.", "Choose one.");
   const auto deviation = map_options(open, SurfaceMap::deviation, 4, alone);

@@ -1,14 +1,12 @@
 // Pictures that something went wrong with: each is read, or refused with a reason, in bounded time and
 // memory.
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 
+#include "render/read_photo.hpp"
 #include "render/read_radiance.hpp"
-#include "render/read_webp.hpp"
 #include "render/reference_image.hpp"
 #include "tests/support/mutated.hpp"
 #include "tests/support/places.hpp"

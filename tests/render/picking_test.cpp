@@ -1,7 +1,5 @@
 #include "render/picking.hpp"
 
-#include <gtest/gtest.h>
-
 #include <chrono>
 
 #include "render/region_picking.hpp"
@@ -104,8 +102,7 @@ TEST(Picking, TypesCanBeSwitchedOff) {
   const Scene scene = scene_with(grid(3, 3));
   const Projector projector = view_of(scene, StandardView::top);
   const Vector2 vertex = projector.project({1, 1, 0})->head<2>();
-  PickOptions options;
-  options.vertices = false;
+  PickOptions options{.vertices = false};
   EXPECT_EQ(pick(scene, projector, vertex, options)->kind, Element::Kind::edge);
   options.edges = false;
   EXPECT_EQ(pick(scene, projector, vertex, options)->kind, Element::Kind::face);
@@ -181,8 +178,7 @@ TEST(Picking, EdgesThatPassTheEyeStillCount) {
   const Projector projector(camera, picking_size);
   const auto on_edge = projector.project({1, 2.5, 0});
   ASSERT_TRUE(on_edge);
-  PickOptions options;
-  options.vertices = false;
+  PickOptions options{.vertices = false};
   const auto hit = pick(scene, projector, on_edge->head<2>(), options);
   ASSERT_TRUE(hit);
   EXPECT_LT((hit->point - Vector3(1, 2.5, 0)).norm(), 1e-6);
@@ -192,9 +188,7 @@ TEST(Picking, SurfaceHitsAreOnTheSurface) {
   Scene scene;
   SceneObject object;
   object.mesh = DisplayMesh::build(sphere(2), map_options(SurfaceMap::gaussian, 16));
-  Similarity similarity;
-  similarity.scale = 3;
-  similarity.translation = {100, 0, 0};
+  Similarity similarity{.scale = 3, .translation = {100, 0, 0}};
   object.transform = matrix_of(similarity);
   scene.objects.push_back(object);
   for_random(11, 50, [&](std::mt19937_64& rng) {

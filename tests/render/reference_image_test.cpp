@@ -9,8 +9,8 @@
 
 #include "core/base/files/file_io.hpp"
 #include "core/document/picture_source.hpp"
-#include "render/read_webp.hpp"
-#include "render/scene_picture.hpp"
+#include "render/read_photo.hpp"
+#include "render/scene.hpp"
 #include "tests/support/places.hpp"
 #include "tests/support/random.hpp"
 #include "tests/support/temporary_folder.hpp"

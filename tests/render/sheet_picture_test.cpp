@@ -14,8 +14,7 @@ SheetDrawing tent_pages(bool inside = false) {
   PolygonMesh mesh;
   mesh.positions = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0.5, 0.5, -0.4}};
   for (Index k = 0; k < 4; ++k) mesh.add_face({k, (k + 1) % 4, 4});
-  PaperSettings settings;
-  settings.scale = 120;
+  PaperSettings settings{.scale = 120};
   settings.inside = inside;
   const auto graph = std::make_shared<const FacetGraph>(FacetGraph::build(mesh).value());
   return draw_sheets(unfold(graph, settings, {.steps = 100}).value());

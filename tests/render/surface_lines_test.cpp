@@ -3,8 +3,6 @@
 
 #include "render/surface_lines.hpp"
 
-#include <gtest/gtest.h>
-
 #include <map>
 #include <numbers>
 
@@ -14,10 +12,8 @@
 #include "tests/support/random.hpp"
 #include "tests/support/random_polyhedra.hpp"
 
-namespace hariko {
+namespace hariko::test {
 namespace {
-
-using namespace hariko::test;
 
 AnalyticOptions with_sources() {
   AnalyticOptions options;
@@ -32,8 +28,7 @@ std::shared_ptr<const DisplayMesh> mesh_of(const Surface& surface, int density) 
 TEST(SurfaceLines, SectionsLieOnThePlaneAndClose) {
   for_random(5, 40, [](std::mt19937_64& rng) {
     const PolygonMesh shape = random_closed_shape(rng);
-    const auto built = PolyhedronSurfacer().rebuild({Polyhedron::build(shape).value(), {}});
-    ASSERT_TRUE(built);
+    const auto built = must(PolyhedronSurfacer().rebuild({Polyhedron::build(shape).value(), {}}));
     const auto mesh = mesh_of(built->surface, uniform_int(rng, 2, 7));
     const Vector3 normal = (random_vector(rng) + Vector3(0, 0, 1.01)).normalized();
     // Between the ends of an edge: shapes of several parts may have none of them at the middle of their box.
@@ -118,4 +113,4 @@ TEST(SurfaceLines, CombsKeepFeetTeethAndSizes) {
 }
 
 }  // namespace
-}  // namespace hariko
+}  // namespace hariko::test

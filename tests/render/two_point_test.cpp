@@ -1,18 +1,14 @@
 // Two-point perspective and focal lengths: what the picture keeps, and that rays, matrices and drawings
 // agree.
 
-#include <gtest/gtest.h>
-
 #include <cmath>
 #include <numbers>
 
 #include "render/drawing_camera.hpp"
 #include "tests/support/random.hpp"
 
-namespace hariko {
+namespace hariko::test {
 namespace {
-
-using namespace hariko::test;
 
 constexpr PixelSize wide_picture{900, 600};
 constexpr double two_point_pi = std::numbers::pi;
@@ -160,4 +156,4 @@ TEST(FocalLength, ChangesKeepTheSizeOfTheTarget) {
 }
 
 }  // namespace
-}  // namespace hariko
+}  // namespace hariko::test

@@ -1,8 +1,6 @@
 // Translucent bodies inside of a surface: seen through it, in their states, and no more than outlines over
 // maps.
 
-#include <gtest/gtest.h>
-
 #include <array>
 #include <cmath>
 #include <numbers>

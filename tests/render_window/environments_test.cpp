@@ -1,7 +1,5 @@
 // Environments that surfaces reflect: which way they stand, turns, exposure, and what they leave alone.
 
-#include <gtest/gtest.h>
-
 #include <cmath>
 #include <set>
 

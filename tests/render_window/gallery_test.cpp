@@ -1,18 +1,15 @@
 // Pictures for people: set HARIKO_PICTURES to a folder to look at them. The test itself checks that every
 // model draws in every map without an error and that the picture shows it.
 
-#include <gtest/gtest.h>
-
 #include <cstdlib>
 #include <filesystem>
 
 #include "render/picking.hpp"
 #include "tests/render_window/models.hpp"
+#include "tests/support/must.hpp"
 
-namespace hariko {
+namespace hariko::test {
 namespace {
-
-using namespace hariko::test;
 
 constexpr int picture_width = 640, picture_height = 480;
 
@@ -32,8 +29,7 @@ TEST_P(Maps, ModelDrawsInAMap) {
     scene.objects[0].show_network = true;
     const Camera camera = framed(Camera::standard(StandardView::iso), scene, {picture_width, picture_height},
                                  has_values(map) ? legend_width : 0);
-    Result<Image> picture = render_picture(scene, camera, picture_width, picture_height);
-    ASSERT_TRUE(picture.ok()) << to_string(picture.error());
+    Result<Image> picture = must(render_picture(scene, camera, picture_width, picture_height));
     Image image = std::move(picture).value();
     if (has_values(map)) {
       const auto values = values_of(*scene.objects[0].mesh, map);
@@ -60,8 +56,7 @@ TEST(Gallery, OverlaysInBothThemes) {
     scene.background = background;
     const Camera camera =
         framed(Camera::standard(StandardView::iso).orbit(0.25, -0.1), scene, {picture_width, picture_height});
-    const Result<Image> picture = render_picture(scene, camera, picture_width, picture_height);
-    ASSERT_TRUE(picture.ok());
+    const Result<Image> picture = must(render_picture(scene, camera, picture_width, picture_height));
     keep(background == Background::dark ? "overlays-dark" : "overlays-light", *picture);
   }
   Scene scene = scene_of(golden_object("fig2_open.obj", SurfaceMap::shaded));
@@ -82,8 +77,7 @@ TEST(Gallery, ZebraSixteenTimesCloser) {
       pick_surface(scene, Projector(camera, {picture_width, picture_height}).ray({330, 200}))->point;
   camera.target = aim;
   camera.distance /= 16;
-  const Result<Image> picture = render_picture(scene, camera, picture_width, picture_height);
-  ASSERT_TRUE(picture.ok());
+  const Result<Image> picture = must(render_picture(scene, camera, picture_width, picture_height));
   keep("zebra-close", *picture);
 }
 
@@ -93,4 +87,4 @@ INSTANTIATE_TEST_SUITE_P(Every, Maps,
                          [](const auto& test) { return std::string(test.param); });
 
 }  // namespace
-}  // namespace hariko
+}  // namespace hariko::test

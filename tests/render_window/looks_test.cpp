@@ -5,7 +5,7 @@
 #include <set>
 
 #include "core/analysis/combs.hpp"
-#include "render/tension_colors.hpp"
+#include "render/element_colors.hpp"
 #include "tests/render_window/gl_context.hpp"
 #include "tests/render_window/models.hpp"
 
@@ -18,7 +18,7 @@ Color pixel(const Image& image, int x, int y) {
   const std::uint8_t* p = image.pixel(x, y);
   return {float(p[0]) / 255, float(p[1]) / 255, float(p[2]) / 255, float(p[3]) / 255};
 }
-/// How many pixels have about this hue: each channel within `tolerance`.
+/// Number of pixels of about this hue: each channel within `tolerance`.
 int count_near(const Image& image, const Color& wanted, float tolerance = 0.12F) {
   int count = 0;
   for (int y = 0; y < image.height; ++y)

@@ -1,8 +1,6 @@
 // Reference pictures as they are drawn: their place, opacity, order, the views they belong to, and how they
 // come to the GPU.
 
-#include <gtest/gtest.h>
-
 #include "tests/render_window/gl_context.hpp"
 #include "tests/render_window/models.hpp"
 

@@ -2,14 +2,12 @@
 
 #include "render/renderer.hpp"
 
-#include <gtest/gtest.h>
-
 #include <cmath>
 #include <limits>
-#include <map>
 
 #include "tests/render_window/gl_context.hpp"
 #include "tests/render_window/models.hpp"
+#include "tests/support/must.hpp"
 
 namespace hariko {
 namespace {
@@ -240,7 +238,7 @@ TEST_F(RendererTest, EdgesOfFacetsLieOverTheSurfaceThatTheyStandFor) {
   Scene scene = plain(object_of(sphere(1), SurfaceMap::shaded, 32));
   const Camera camera = looking(scene, StandardView::front);
   const Image without = draw(scene, camera, picture_size);
-  const double half = 0.35, behind = 1 - std::cos(half);  // of the chord's middle, behind the sphere
+  const double half = 0.35, behind = 1 - std::cos(half);  // middle of the chord, so far behind the sphere
   const auto darker = [&](double side, double depth) {
     const std::vector<Vector3> corners{Vector3(-std::sin(half), side * std::cos(half), 0),
                                        Vector3(std::sin(half), side * std::cos(half), 0),
@@ -409,9 +407,7 @@ TEST_F(RendererTest, ResizingAndEverySampleCountWork) {
 }
 
 TEST_F(RendererTest, ImpossibleSizesAreErrors) {
-  const Result<Done> done = renderer_->draw({}, {}, {{1'000'000, 10}, 4});
-  ASSERT_FALSE(done.ok());
-  EXPECT_EQ(done.error().code, e_gl_framebuffer);
+  must_fail(renderer_->draw({}, {}, {{1'000'000, 10}, 4}), e_gl_framebuffer);
   draw({}, {}, picture_size);  // and the renderer still works
 }
 
@@ -427,9 +423,7 @@ TEST_F(RendererTest, EmptyObjectsDrawNothing) {
 
 TEST(Picture, SizesOutsideTheLimitsAreErrors) {
   for (const auto& [w, h] : {std::pair{0, 10}, std::pair{10, -1}, std::pair{max_picture_side + 1, 10}}) {
-    const Result<Image> image = render_picture({}, {}, w, h);
-    ASSERT_FALSE(image.ok());
-    EXPECT_EQ(image.error().code, e_picture_size);
+    must_fail(render_picture({}, {}, w, h), e_picture_size);
   }
 }
 

@@ -3,8 +3,6 @@
 // tests/cad.)
 
 #include <assimp/scene.h>
-#include <gtest/gtest.h>
-
 #include <Eigen/Geometry>
 #include <assimp/Importer.hpp>
 #include <cstdio>
@@ -122,8 +120,8 @@ constexpr Form forms[] = {{"obj", ".obj"},  {"off", ".off"},
                           {"3mf", ".3mf"},  {"glb", ".glb"},
                           {"gltf", ".gltf"}};
 
-/// Of a binary PLY file's data. assimp 5.2 takes such a byte for part of the header's end and reads all
-/// numbers a byte too late.
+/// Whether the data of a binary PLY file begin with a line break. assimp 5.2 takes such a byte for part of
+/// the header's end and reads all numbers a byte too late.
 bool begins_with_line_break(const fs::path& path) {
   if (path.extension() != ".ply") return false;
   const std::string text = slurp(path);
@@ -150,7 +148,7 @@ void check(const Surface& surface, const std::string& name) {
     ASSERT_TRUE(write_mesh_file(path, named, options).ok());
     if (begins_with_line_break(path)) continue;
     const Soup soup = read_by_others(path);
-    if (std::string_view(ending) != ".3mf") {  // which has no triangles without area
+    if (std::string_view(ending) != ".3mf") {  // 3MF has no triangles without area
       EXPECT_EQ(soup.size(), mesh.triangles.size());
     }
     const SoupMeasures found = measures_of(soup);

@@ -1,16 +1,12 @@
 #include "core/skinning/columns/column_cache.hpp"
 
-#include <gtest/gtest.h>
-
 #include "core/skinning/columns/column_parameters.hpp"
 #include "core/skinning/columns/simple_skin.hpp"
 #include "core/skinning/evaluate_skin.hpp"
 #include "tests/support/random.hpp"
 
-namespace hariko {
+namespace hariko::test {
 namespace {
-
-using namespace test;
 
 SubdivisionCurve random_curve(std::mt19937_64& rng, bool closed) {
   SubdivisionCurve curve;
@@ -57,22 +53,19 @@ TEST(ColumnCache, ADragKeepsColumnsUntilItRests) {
   for (const ColumnParameters parameters : {ColumnParameters::per_section, ColumnParameters::shared}) {
     skin.smooth.parameters = parameters;
     SkinSurfacer surfacer;
-    const auto first = surfacer.surface(skin, Vector3::Zero());
-    ASSERT_TRUE(first.ok());
+    const auto first = must(surfacer.surface(skin, Vector3::Zero()));
     Skin moved = skin;
     moved.sections[0].points[3].position += Vector3(0, 0.4, 0.8);
     SkinWork drag;
     drag.moving = true;
-    const auto during = surfacer.surface(moved, Vector3::Zero(), drag);
-    ASSERT_TRUE(during.ok());
+    const auto during = must(surfacer.surface(moved, Vector3::Zero(), drag));
     EXPECT_EQ(during->result.mesh.parameters, first->result.mesh.parameters);
-    const auto rested = surfacer.surface(moved, Vector3::Zero()),
-               fresh = SkinSurfacer().surface(moved, Vector3::Zero());
-    ASSERT_TRUE(rested.ok() && fresh.ok());
+    const auto rested = must(surfacer.surface(moved, Vector3::Zero())),
+               fresh = must(SkinSurfacer().surface(moved, Vector3::Zero()));
     EXPECT_EQ(rested->result.mesh.parameters, fresh->result.mesh.parameters);
     EXPECT_NE(rested->result.mesh.parameters, first->result.mesh.parameters);
   }
 }
 
 }  // namespace
-}  // namespace hariko
+}  // namespace hariko::test

@@ -1,18 +1,13 @@
 #include "core/skinning/columns/correspondence.hpp"
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <limits>
-#include <optional>
 
 #include "core/skinning/skin_messages.hpp"
 #include "tests/support/random.hpp"
 
-namespace hariko {
+namespace hariko::test {
 namespace {
-
-using namespace test;
 
 struct Best {
   int triangles = std::numeric_limits<int>::max();
@@ -75,61 +70,46 @@ Best score(const std::vector<PointPair>& lines, int n, int m, bool closed, const
   return out;
 }
 
-TEST(Correspondence, IsTheBestOfAllOpenOnes) {
-  for_random(701, 250, [](std::mt19937_64& rng) {
-    const int n = uniform_int(rng, 1, 6), m = uniform_int(rng, n == 1 ? 2 : 1, 6);
-    std::vector<double> values(std::size_t(n * m));
-    for (double& v : values) v = uniform(rng);
-    const PairCost random_cost = [&](int a, int b) { return values[std::size_t(a * m + b)]; };
-    const PairCost cost = chance(rng, 0.5) ? random_cost : parameter_cost(n, m, false);
-    std::vector<PointPair> forced;
-    for (int k = uniform_int(rng, 0, 2); k > 0; --k)
-      forced.push_back({uniform_int(rng, 0, n - 1), uniform_int(rng, 0, m - 1)});
-    const Best wanted = brute_open(n, m, cost, forced);
-    const auto lines = correspondence(n, m, false, cost, forced);
-    if (wanted.triangles == std::numeric_limits<int>::max()) {
-      ASSERT_FALSE(lines.ok());
-      EXPECT_EQ(lines.error().code, e_link_cross);
-      return;
-    }
-    ASSERT_TRUE(lines.ok());
+/// The best of all that can be tried with some forced pairs, or a refusal where these cross.
+void expect_best(std::mt19937_64& rng, int n, int m, bool closed) {
+  std::vector<double> values(std::size_t(n * m));
+  for (double& v : values) v = uniform(rng);
+  const PairCost random_cost = [&](int a, int b) { return values[std::size_t(a * m + b)]; };
+  const PairCost cost = chance(rng, 0.5) ? random_cost : parameter_cost(n, m, closed);
+  std::vector<PointPair> forced;
+  for (int k = uniform_int(rng, 0, closed ? 3 : 2); k > 0; --k)
+    forced.push_back({uniform_int(rng, 0, n - 1), uniform_int(rng, 0, m - 1)});
+  const Best wanted = closed ? brute_closed(n, m, cost, forced) : brute_open(n, m, cost, forced);
+  const auto lines = correspondence(n, m, closed, cost, forced);
+  if (wanted.triangles == std::numeric_limits<int>::max()) return must_fail(lines, e_link_cross);
+  ASSERT_TRUE(lines.ok()) << to_string(lines.error());
+  if (!closed) {
     EXPECT_EQ(lines->front(), (PointPair{0, 0}));
     EXPECT_EQ(lines->back(), (PointPair{n - 1, m - 1}));
-    const Best got = score(*lines, n, m, false, cost);
-    EXPECT_EQ(got.triangles, wanted.triangles);
-    EXPECT_NEAR(got.cost, wanted.cost, 1e-11);
+  }
+  const Best got = score(*lines, n, m, closed, cost);
+  EXPECT_EQ(got.triangles, wanted.triangles);
+  EXPECT_NEAR(got.cost, wanted.cost, 1e-11);
+}
+
+TEST(Correspondence, IsTheBestOfAllOpenOnes) {
+  for_random(701, 250, [](std::mt19937_64& rng) {
+    const int n = uniform_int(rng, 1, 6);
+    expect_best(rng, n, uniform_int(rng, n == 1 ? 2 : 1, 6), false);
   });
 }
 
 TEST(Correspondence, IsTheBestOfAllClosedOnes) {
   for_random(702, 90, [](std::mt19937_64& rng) {
-    const int n = uniform_int(rng, 3, 5), m = uniform_int(rng, 3, 5);
-    std::vector<double> values(std::size_t(n * m));
-    for (double& v : values) v = uniform(rng);
-    const PairCost random_cost = [&](int a, int b) { return values[std::size_t(a * m + b)]; };
-    const PairCost cost = chance(rng, 0.5) ? random_cost : parameter_cost(n, m, true);
-    std::vector<PointPair> forced;
-    for (int k = uniform_int(rng, 0, 3); k > 0; --k)
-      forced.push_back({uniform_int(rng, 0, n - 1), uniform_int(rng, 0, m - 1)});
-    const Best wanted = brute_closed(n, m, cost, forced);
-    const auto lines = correspondence(n, m, true, cost, forced);
-    if (wanted.triangles == std::numeric_limits<int>::max()) {
-      ASSERT_FALSE(lines.ok());
-      EXPECT_EQ(lines.error().code, e_link_cross);
-      return;
-    }
-    ASSERT_TRUE(lines.ok()) << to_string(lines.error());
-    const Best got = score(*lines, n, m, true, cost);
-    EXPECT_EQ(got.triangles, wanted.triangles);
-    EXPECT_NEAR(got.cost, wanted.cost, 1e-11);
+    const int n = uniform_int(rng, 3, 5);
+    expect_best(rng, n, uniform_int(rng, 3, 5), true);
   });
 }
 
 TEST(Correspondence, MirrorImagesAreMatchedAlike) {
   for (int n = 2; n <= 12; ++n)
     for (int m = 2; m <= 12; ++m) {
-      const auto lines = correspondence(n, m, false, parameter_cost(n, m, false), {});
-      ASSERT_TRUE(lines.ok());
+      const auto lines = must(correspondence(n, m, false, parameter_cost(n, m, false), {}));
       std::vector<PointPair> mirrored;
       for (const PointPair& line : *lines) mirrored.push_back({n - 1 - line.a, m - 1 - line.b});
       std::reverse(mirrored.begin(), mirrored.end());
@@ -141,4 +121,4 @@ TEST(Correspondence, MirrorImagesAreMatchedAlike) {
 }
 
 }  // namespace
-}  // namespace hariko
+}  // namespace hariko::test

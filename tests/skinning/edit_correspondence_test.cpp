@@ -1,7 +1,5 @@
 #include "core/skinning/edit/edit_correspondence.hpp"
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
 
 #include "core/skinning/columns/skin_plan.hpp"
@@ -9,10 +7,9 @@
 #include "tests/skinning/skin_inputs.hpp"
 #include "tests/support/random.hpp"
 
-namespace hariko {
+namespace hariko::test {
 namespace {
 
-using namespace test;
 using Ids = std::vector<std::uint32_t>;
 
 std::uint32_t id(const Skin& skin, int section, int i) {
@@ -20,8 +17,7 @@ std::uint32_t id(const Skin& skin, int section, int i) {
 }
 
 bool has_line(const Skin& skin, int strip, PointPair line) {
-  const auto plan = plan_skin(skin);
-  EXPECT_TRUE(plan.ok());
+  const auto plan = must(plan_skin(skin));
   const auto& lines = plan->strips[std::size_t(strip)].lines;
   return std::find(lines.begin(), lines.end(), line) != lines.end();
 }
@@ -35,8 +31,7 @@ TEST(EditCorrespondence, ALineJoinsPointsInEitherDirection) {
   EXPECT_EQ(forward->skin, backward->skin);
   EXPECT_EQ(forward->added.size(), 1U);
   EXPECT_TRUE(has_line(forward->skin, 0, {2, 3}));
-  const auto again = join_points(forward->skin, Ids{id(skin, 0, 2), id(skin, 1, 3)});
-  ASSERT_TRUE(again.ok());
+  const auto again = must(join_points(forward->skin, Ids{id(skin, 0, 2), id(skin, 1, 3)}));
   EXPECT_EQ(again->skin, forward->skin) << "nothing new";
   EXPECT_EQ(join_points(skin, Ids{id(skin, 0, 2), id(skin, 0, 3)}).error().code, e_not_neighbours);
   EXPECT_EQ(join_points(skin, Ids{id(skin, 0, 2), 4711}).error().code, e_skin_index);
@@ -58,16 +53,13 @@ TEST(EditCorrespondence, NewBeatsOldAndSaysWhatGaveWay) {
   Skin now = join_points(skin, Ids{id(skin, 0, 2), id(skin, 1, 3)})->skin;
   now = join_points(now, Ids{id(skin, 0, 6), id(skin, 1, 5)})->skin;
   const std::uint32_t first = now.links[0].id, second = now.links[1].id;
-  const auto edit = join_points(now, Ids{id(skin, 0, 4), id(skin, 1, 2)});
-  ASSERT_TRUE(edit.ok());
+  const auto edit = must(join_points(now, Ids{id(skin, 0, 4), id(skin, 1, 2)}));
   EXPECT_EQ(edit->removed, Ids{first}) << "4-2 crosses 2-3, not 6-5";
   EXPECT_EQ(edit->skin.links.size(), 2U);
   EXPECT_EQ(edit->skin.links[0].id, second);
   // A locked one does not give way.
   const Skin locked = set_locked(now, first, true)->skin;
-  const auto refused = join_points(locked, Ids{id(skin, 0, 4), id(skin, 1, 2)});
-  ASSERT_FALSE(refused.ok());
-  EXPECT_EQ(refused.error().code, e_correspondence_locked);
+  must_fail(join_points(locked, Ids{id(skin, 0, 4), id(skin, 1, 2)}), e_correspondence_locked);
 }
 
 TEST(EditCorrespondence, ACurveGroupsPoints) {
@@ -81,8 +73,7 @@ TEST(EditCorrespondence, ACurveGroupsPoints) {
             e_merge_gap);
   EXPECT_EQ(group_points(skin, Ids{id(skin, 0, 1), id(skin, 0, 2)}).error().code, e_not_neighbours);
   const Skin car = skin_input("car_default");
-  const auto three = group_points(car, Ids{id(car, 1, 4), id(car, 2, 4), id(car, 3, 4), id(car, 3, 5)});
-  ASSERT_TRUE(three.ok());
+  const auto three = must(group_points(car, Ids{id(car, 1, 4), id(car, 2, 4), id(car, 3, 4), id(car, 3, 5)}));
   EXPECT_EQ(three->added.size(), 2U) << "one link each strip";
   // Two groups are joined at their ends.
   const auto both =
@@ -97,13 +88,11 @@ TEST(EditCorrespondence, AWedgeMergesAtItsTip) {
   Skin bare = skin;
   bare.merges.clear();
   const Ids members{id(skin, 0, 2), id(skin, 0, 3), id(skin, 0, 4), id(skin, 0, 5), id(skin, 0, 6)};
-  const auto edit = merge_points(bare, members, id(skin, 1, 2), 0.5);
-  ASSERT_TRUE(edit.ok());
+  const auto edit = must(merge_points(bare, members, id(skin, 1, 2), 0.5));
   EXPECT_EQ(edit->skin.merges[0].members, skin.merges[0].members);
   EXPECT_EQ(edit->skin.merges[0].target, skin.merges[0].target);
   // With its tip at the other section it is a group.
-  const auto at_section = merge_points(bare, members, id(skin, 1, 2), 1.0);
-  ASSERT_TRUE(at_section.ok());
+  const auto at_section = must(merge_points(bare, members, id(skin, 1, 2), 1.0));
   EXPECT_TRUE(at_section->skin.merges.empty());
   EXPECT_EQ(at_section->skin.links.size(), 1U);
   EXPECT_EQ(merge_points(bare, members, id(skin, 1, 2), -0.2).error().code, e_merge_v);
@@ -113,41 +102,34 @@ TEST(EditCorrespondence, AWedgeMergesAtItsTip) {
   const Skin split = skin_input("merge_split");
   Skin cleared = split;
   cleared.merges.clear();
-  const auto other = merge_points(cleared, split.merges[1].members, split.merges[1].target, 0.5);
-  ASSERT_TRUE(other.ok());
+  const auto other = must(merge_points(cleared, split.merges[1].members, split.merges[1].target, 0.5));
   EXPECT_EQ(other->skin.merges[0].side, StripSide::b);
 }
 
 TEST(EditCorrespondence, EndsAndDiamondsAreDragged) {
   const Skin skin = skin_input("fig6b");
   const std::uint32_t link = skin.links[0].id;
-  const auto moved = move_link_end(skin, link, id(skin, 1, 3), id(skin, 1, 2));
-  ASSERT_TRUE(moved.ok());
+  const auto moved = must(move_link_end(skin, link, id(skin, 1, 3), id(skin, 1, 2)));
   EXPECT_EQ(moved->skin.links[0].id, link) << "the same link";
   EXPECT_TRUE(has_line(moved->skin, 0, {2, 2}));
-  const auto across = move_link_end(skin, link, id(skin, 1, 3), id(skin, 1, 6));
-  ASSERT_TRUE(across.ok());
+  const auto across = must(move_link_end(skin, link, id(skin, 1, 3), id(skin, 1, 6)));
   EXPECT_EQ(across->removed, Ids{skin.links[1].id});
   EXPECT_EQ(move_link_end(skin, link, id(skin, 1, 3), id(skin, 0, 3)).error().code, e_not_neighbours);
   EXPECT_EQ(move_link_end(skin, 99, id(skin, 1, 3), id(skin, 1, 2)).error().code, e_no_correspondence);
   const Skin wedge = skin_input("fig9_interior");
-  const auto slid = move_merge(wedge, wedge.merges[0].id, 0.25, wedge.merges[0].target);
-  ASSERT_TRUE(slid.ok());
+  const auto slid = must(move_merge(wedge, wedge.merges[0].id, 0.25, wedge.merges[0].target));
   EXPECT_EQ(slid->skin.merges[0].v, 0.25);
-  const auto sideways = move_merge(wedge, wedge.merges[0].id, 0.5, id(wedge, 1, 1));
-  ASSERT_TRUE(sideways.ok());
+  const auto sideways = must(move_merge(wedge, wedge.merges[0].id, 0.5, id(wedge, 1, 1)));
   EXPECT_TRUE(has_line(sideways->skin, 0, {4, 1}));
   EXPECT_EQ(move_merge(wedge, wedge.merges[0].id, 1.5, wedge.merges[0].target).error().code, e_merge_v);
 }
 
 TEST(EditCorrespondence, LockDeleteReset) {
   const Skin skin = skin_input("fig6a");
-  const auto locked = lock_line(skin, id(skin, 0, 4), id(skin, 1, 3));
-  ASSERT_TRUE(locked.ok());
+  const auto locked = must(lock_line(skin, id(skin, 0, 4), id(skin, 1, 3)));
   EXPECT_TRUE(locked->skin.links[0].locked);
   EXPECT_EQ(lock_line(skin, id(skin, 0, 4), id(skin, 1, 5)).error().code, e_no_correspondence);
-  const auto deleted = delete_correspondence(locked->skin, locked->skin.links[0].id);
-  ASSERT_TRUE(deleted.ok());
+  const auto deleted = must(delete_correspondence(locked->skin, locked->skin.links[0].id));
   EXPECT_EQ(deleted->skin, skin);
   EXPECT_EQ(delete_correspondence(skin, 5).error().code, e_no_correspondence);
   const Skin car = skin_input("car_edited");
@@ -189,8 +171,7 @@ TEST(EditCorrespondence, MovingPointsRematchesNothing) {
       Skin moved = skin;
       for (SkinSection& section : moved.sections)
         for (SectionPoint& p : section.points) p.position += random_vector(rng, 0.5);
-      const auto after = plan_skin(moved);
-      ASSERT_TRUE(after.ok());
+      const auto after = must(plan_skin(moved));
       for (std::size_t s = 0; s < before->strips.size(); ++s)
         EXPECT_EQ(after->strips[s].lines, before->strips[s].lines);
     });
@@ -200,14 +181,12 @@ TEST(EditCorrespondence, MovingPointsRematchesNothing) {
 TEST(EditCorrespondence, EndsOfAnyLineCanBeMoved) {
   const Skin skin = skin_input("fig6a");
   // A line that was matched becomes a link.
-  const auto fresh = move_line_end(skin, id(skin, 0, 3), id(skin, 1, 2), id(skin, 0, 4));
-  ASSERT_TRUE(fresh.ok()) << to_string(fresh.error());
+  const auto fresh = must(move_line_end(skin, id(skin, 0, 3), id(skin, 1, 2), id(skin, 0, 4)));
   ASSERT_EQ(fresh->skin.links.size(), 1U);
   EXPECT_EQ(fresh->skin.links[0].a, Ids{id(skin, 0, 4)});
   EXPECT_EQ(fresh->skin.links[0].b, Ids{id(skin, 1, 2)});
   // A link keeps its id, on either side.
-  const auto moved = move_line_end(fresh->skin, id(skin, 1, 2), id(skin, 0, 4), id(skin, 1, 3));
-  ASSERT_TRUE(moved.ok());
+  const auto moved = must(move_line_end(fresh->skin, id(skin, 1, 2), id(skin, 0, 4), id(skin, 1, 3)));
   ASSERT_EQ(moved->skin.links.size(), 1U);
   EXPECT_EQ(moved->skin.links[0].id, fresh->skin.links[0].id);
   EXPECT_TRUE(has_line(moved->skin, 0, {4, 3}));
@@ -222,17 +201,14 @@ TEST(EditCorrespondence, LinesOfAMergeMoveItsTargetOrItsReach) {
   const Skin merged =
       merge_points(skin, Ids{id(skin, 0, 3), id(skin, 0, 4), id(skin, 0, 5)}, id(skin, 1, 3), 0.4)->skin;
   const std::uint32_t merge = merged.merges.at(0).id;
-  const auto target = move_line_end(merged, id(skin, 1, 3), id(skin, 0, 4), id(skin, 1, 4));
-  ASSERT_TRUE(target.ok()) << to_string(target.error());
+  const auto target = must(move_line_end(merged, id(skin, 1, 3), id(skin, 0, 4), id(skin, 1, 4)));
   EXPECT_EQ(target->skin.merges.at(0).target, id(skin, 1, 4));
   EXPECT_EQ(target->skin.merges[0].id, merge);
   EXPECT_EQ(target->skin.merges[0].v, 0.4);
-  const auto wider = move_line_end(merged, id(skin, 0, 3), id(skin, 1, 3), id(skin, 0, 1));
-  ASSERT_TRUE(wider.ok()) << to_string(wider.error());
+  const auto wider = must(move_line_end(merged, id(skin, 0, 3), id(skin, 1, 3), id(skin, 0, 1)));
   EXPECT_EQ(wider->skin.merges.at(0).members,
             (Ids{id(skin, 0, 1), id(skin, 0, 2), id(skin, 0, 3), id(skin, 0, 4), id(skin, 0, 5)}));
-  const auto narrower = move_line_end(merged, id(skin, 0, 5), id(skin, 1, 3), id(skin, 0, 4));
-  ASSERT_TRUE(narrower.ok());
+  const auto narrower = must(move_line_end(merged, id(skin, 0, 5), id(skin, 1, 3), id(skin, 0, 4)));
   EXPECT_EQ(narrower->skin.merges.at(0).members, (Ids{id(skin, 0, 3), id(skin, 0, 4)}));
   EXPECT_EQ(move_line_end(merged, id(skin, 0, 4), id(skin, 1, 3), id(skin, 0, 2)).error().code, e_merge_gap);
   EXPECT_EQ(move_line_end(narrower->skin, id(skin, 0, 4), id(skin, 1, 3), id(skin, 0, 3)).error().code,
@@ -240,4 +216,4 @@ TEST(EditCorrespondence, LinesOfAMergeMoveItsTargetOrItsReach) {
 }
 
 }  // namespace
-}  // namespace hariko
+}  // namespace hariko::test

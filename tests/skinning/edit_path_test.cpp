@@ -1,7 +1,5 @@
 #include "core/skinning/edit/edit_path.hpp"
 
-#include <gtest/gtest.h>
-
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
@@ -14,10 +12,8 @@
 #include "tests/skinning/random_skins.hpp"
 #include "tests/skinning/skin_inputs.hpp"
 
-namespace hariko {
+namespace hariko::test {
 namespace {
-
-using namespace test;
 
 double largest_move(const Skin& a, const Skin& b) {
   double out = 0;
@@ -35,8 +31,7 @@ TEST(EditPath, ASectionSlidesWithItsFrame) {
     const double v = section.v + uniform(rng, -0.09, 0.09);
     const auto edit = slide_section(skin, section.id, v);
     if (!skin.path.closed && (k == 0 || k + 1 == skin.section_count())) {
-      ASSERT_FALSE(edit.ok());
-      EXPECT_EQ(edit.error().code, e_section_range);
+      must_fail(edit, e_section_range);
       return;
     }
     ASSERT_TRUE(edit.ok()) << to_string(edit.error());
@@ -49,8 +44,7 @@ TEST(EditPath, ASectionSlidesWithItsFrame) {
       for (std::size_t i = 0; i < before->offsets[std::size_t(s)].size(); ++i)
         EXPECT_LT((before->offsets[std::size_t(s)][i] - after->offsets[std::size_t(now)][i]).norm(), 1e-11);
     }
-    const auto back = slide_section(edit->skin, section.id, section.v);
-    ASSERT_TRUE(back.ok());
+    const auto back = must(slide_section(edit->skin, section.id, section.v));
     EXPECT_LT(largest_move(back->skin, skin), 1e-11);
     EXPECT_EQ(slide_section(skin, section.id, section.v + 0.6).error().code, e_section_order);
   });
@@ -70,26 +64,22 @@ TEST(EditPath, TheReferenceOfACarriedSectionIsOnThePath) {
         const MovedPathPoint moved{PathCurve::path, 1, skin.path.points[1] + Vector3(0, 0, 0.3)};
         return slides ? slide_section(s, section.id, v) : move_path_points(s, std::array{moved});
       };
-      const auto edit = carry(skin), without = carry(plain);
-      ASSERT_TRUE(edit.ok() && without.ok());
+      const auto edit = must(carry(skin)), without = must(carry(plain));
       const SkinSection &now = edit->skin.sections[1], &other = without->skin.sections[1];
       EXPECT_LT((*now.reference - evaluate(edit->skin.path, now.v).position).norm(), 1e-12);
       // Carried as without a reference, and moved by as much as the reference was beside the path.
-      const auto after = plan_skin(edit->skin), as = plan_skin(without->skin);
-      ASSERT_TRUE(after.ok() && as.ok());
+      const auto after = must(plan_skin(edit->skin)), as = must(plan_skin(without->skin));
       const Vector3 moved = after->offsets[1][0] - as->offsets[1][0];
       EXPECT_NEAR(moved.norm(), beside.norm(), 1e-11);
       for (std::size_t i = 0; i < now.points.size(); ++i)
         EXPECT_LT((after->offsets[1][i] - as->offsets[1][i] - moved).norm(), 1e-11);
       EXPECT_FALSE(other.reference.has_value());
       // Once it is on the path, it stays there.
-      const auto again = carry(edit->skin);
-      ASSERT_TRUE(again.ok());
+      const auto again = must(carry(edit->skin));
       EXPECT_LT(largest_move(again->skin, edit->skin), 1e-11);
     }
     // A section that stays in space while its path becomes another one is no longer tied to a point of it.
-    const auto refined = refine_path(skin);
-    ASSERT_TRUE(refined.ok());
+    const auto refined = must(refine_path(skin));
     EXPECT_FALSE(refined->skin.sections[1].reference.has_value());
   });
 }
@@ -101,8 +91,7 @@ TEST(EditPath, SectionsAreCarriedByThePath) {
     const Vector3 shift = random_vector(rng, 5);
     for (int i = 0; i < skin.path.size(); ++i)
       all.push_back({PathCurve::path, i, skin.path.points[std::size_t(i)] + shift});
-    const auto moved = move_path_points(skin, all);
-    ASSERT_TRUE(moved.ok());
+    const auto moved = must(move_path_points(skin, all));
     for (std::size_t k = 0; k < skin.sections.size(); ++k)
       for (std::size_t i = 0; i < skin.sections[k].points.size(); ++i)
         EXPECT_LT(
@@ -135,22 +124,19 @@ TEST(EditPath, PointsComeAndGoWithoutMovingSections) {
   for_random(813, 40, [](std::mt19937_64& rng) {
     const Skin skin = random_skin(rng);
     const int span = uniform_int(rng, 0, skin.path.spans() - 1);
-    const auto edit = insert_path_point(skin, span);
-    ASSERT_TRUE(edit.ok()) << to_string(edit.error());
+    const auto edit = must(insert_path_point(skin, span));
     EXPECT_EQ(largest_move(edit->skin, skin), 0);
     for (std::size_t k = 0; k < skin.sections.size(); ++k) {
       const Vector3 place = evaluate(edit->skin.path, edit->skin.sections[k].v).position;
       EXPECT_LT(nearest_point(skin.path, place).distance, edit->deviation + 0.05);
     }
-    const auto back = delete_path_point(edit->skin, span + 1);
-    ASSERT_TRUE(back.ok());
+    const auto back = must(delete_path_point(edit->skin, span + 1));
     EXPECT_EQ(largest_move(back->skin, skin), 0);
     for (int i = 0; i < skin.path.size(); ++i)
       EXPECT_LT((back->skin.path.points[std::size_t(i)] - skin.path.points[std::size_t(i)]).norm(), 1e-12);
     for (std::size_t k = 0; k < skin.sections.size(); ++k)
       EXPECT_NEAR(back->skin.sections[k].v, skin.sections[k].v, 1e-12);
-    const auto fine = refine_path(skin);
-    ASSERT_TRUE(fine.ok());
+    const auto fine = must(refine_path(skin));
     EXPECT_EQ(fine->skin.sections, skin.sections);
     for (int i = 0; i <= 40; ++i)
       EXPECT_LT(
@@ -167,8 +153,7 @@ TEST(EditPath, EndsAndLimits) {
   EXPECT_EQ(delete_path_point(two, 0).error().code, e_path_short);
   // The section at an end that goes follows to the new end.
   const Skin fig5 = skin_input("fig5");
-  const auto shorter = delete_path_point(fig5, 0);
-  ASSERT_TRUE(shorter.ok()) << to_string(shorter.error());
+  const auto shorter = must(delete_path_point(fig5, 0));
   const Vector3 shift = evaluate(shorter->skin.path, 0).position - evaluate(fig5.path, 0).position;
   EXPECT_LT(
       (shorter->skin.sections[0].points[0].position - fig5.sections[0].points[0].position - shift).norm(),
@@ -191,15 +176,14 @@ TEST(EditPath, EndsAndLimits) {
 }
 
 TEST(AddSection, LiesOnTheVirtualSurface) {
-  // Where counts are equal and sections are translated pleats lie on the virtual surface, too.
+  // Pleats lie on the virtual surface, too, where counts are equal and sections are translated.
   for (const char* configuration : {"pleat_paper", "smooth_12_9_uniform_linear"}) {
     Skin skin = skin_input("fig5");
     set_options(skin, configuration);
     const auto plan = plan_skin(skin);
     const VirtualSurface wanted(skin, *plan);
     for (const double v : {0.2, 0.5, 0.77}) {
-      const auto edit = add_section(skin, v);
-      ASSERT_TRUE(edit.ok()) << to_string(edit.error());
+      const auto edit = must(add_section(skin, v));
       ASSERT_EQ(edit->skin.section_count(), 3);
       const SkinSection& section = edit->skin.sections[1];
       EXPECT_EQ(section.v, v);
@@ -216,22 +200,19 @@ TEST(AddSection, DividesMergesWhereTheyHappen) {
   const Skin skin = skin_input("fig9_interior");
   const SkinMerge& old = skin.merges.at(0);
   const int members = int(old.members.size());
-  const auto before = add_section(skin, old.v / 2);
-  ASSERT_TRUE(before.ok()) << to_string(before.error());
+  const auto before = must(add_section(skin, old.v / 2));
   EXPECT_EQ(before->skin.sections[1].size(), skin.sections[0].size());
   ASSERT_EQ(before->skin.merges.size(), 1U);
   EXPECT_EQ(before->skin.merges[0].first, before->skin.sections[1].id);
   EXPECT_EQ(int(before->skin.merges[0].members.size()), members);
   EXPECT_NEAR(before->skin.merges[0].v, (old.v - old.v / 2) / (1 - old.v / 2), 1e-12);
   EXPECT_TRUE(before->lost.empty());
-  const auto after = add_section(skin, (old.v + 1) / 2);
-  ASSERT_TRUE(after.ok()) << to_string(after.error());
+  const auto after = must(add_section(skin, (old.v + 1) / 2));
   EXPECT_EQ(after->skin.sections[1].size(), skin.sections[0].size() - members + 1);
   ASSERT_EQ(after->skin.merges.size(), 1U);
   EXPECT_EQ(after->skin.merges[0].second, after->skin.sections[1].id);
   EXPECT_NEAR(after->skin.merges[0].v, old.v / ((old.v + 1) / 2), 1e-12);
-  const auto at = add_section(skin, old.v);
-  ASSERT_TRUE(at.ok()) << to_string(at.error());
+  const auto at = must(add_section(skin, old.v));
   EXPECT_TRUE(at->skin.merges.empty());
   EXPECT_EQ(at->skin.links.size(), 1U);
   EXPECT_EQ(at->skin.sections[1].size(), skin.sections[0].size() - members + 1);
@@ -264,9 +245,8 @@ TEST(AddSection, KeepsTheSurfaceAndAllCorrespondences) {
       EXPECT_EQ(edit->skin.sections[std::size_t(edit->skin.find_section(old.id))], old);
     if (skin.method != SkinMethod::pleat) return;
     // Its points are points of the surface.
-    const auto made = SkinSurfacer().surface(skin, Vector3::Zero());
-    const auto again = SkinSurfacer().surface(edit->skin, Vector3::Zero());
-    ASSERT_TRUE(made.ok() && again.ok());
+    const auto made = must(SkinSurfacer().surface(skin, Vector3::Zero()));
+    const auto again = must(SkinSurfacer().surface(edit->skin, Vector3::Zero()));
     const int k = edit->skin.find_section(skin.free_section_id());
     const auto points = limit_points(edit->skin.sections[std::size_t(k)].curve());
     double farthest = 0, spacing = 0;
@@ -299,12 +279,10 @@ TEST(AddSection, DrawnAndDeletedSections) {
     std::vector<Vector3> points;
     const Vector3 place = evaluate(skin.path, v).position;
     for (int i = 0; i < 5; ++i) points.push_back(place + random_vector(rng, 1));
-    const auto drawn = draw_section(skin, v, points, skin.sections[0].closed);
-    ASSERT_TRUE(drawn.ok()) << to_string(drawn.error());
+    const auto drawn = must(draw_section(skin, v, points, skin.sections[0].closed));
     const std::uint32_t id = skin.free_section_id();
     EXPECT_EQ(drawn->notes.empty(), drawn->lost.empty());
-    const auto deleted = delete_section(drawn->skin, id);
-    ASSERT_TRUE(deleted.ok()) << to_string(deleted.error());
+    const auto deleted = must(delete_section(drawn->skin, id));
     EXPECT_EQ(deleted->skin.sections, skin.sections);
     EXPECT_TRUE(deleted->lost.empty()) << "nothing had been drawn there";
     if (skin.section_count() == 2) {
@@ -312,8 +290,7 @@ TEST(AddSection, DrawnAndDeletedSections) {
     }
     // An end takes its part of the path along.
     if (skin.path.closed || skin.section_count() < 3) return;
-    const auto trimmed = delete_section(skin, skin.sections[0].id);
-    ASSERT_TRUE(trimmed.ok()) << to_string(trimmed.error());
+    const auto trimmed = must(delete_section(skin, skin.sections[0].id));
     EXPECT_EQ(trimmed->skin.sections[0].points, skin.sections[1].points);
     EXPECT_LT(
         (evaluate(trimmed->skin.path, 0).position - evaluate(skin.path, skin.sections[1].v).position).norm(),
@@ -328,8 +305,7 @@ TEST(EditPath, ClosingCarriesSectionsAndOpeningLeavesThemWhereTheyAre) {
     const bool closing = !skin.path.closed;
     const auto edit = set_path_closed(skin, closing);
     if (closing && skin.path.size() < 3) {
-      ASSERT_FALSE(edit.ok());
-      EXPECT_EQ(edit.error().code, e_path_short);
+      must_fail(edit, e_path_short);
       return;
     }
     // A path that runs back over itself may have a cusp.
@@ -387,8 +363,7 @@ TEST(EditPath, EndsInOnePlaceBecomeOne) {
           {id++, at.position + i * Vector3::UnitZ().cross(at.first).normalized(), false});
     skin.sections.push_back(section);
   }
-  const auto edit = set_path_closed(skin, true);
-  ASSERT_TRUE(edit.ok()) << to_string(edit.error());
+  const auto edit = must(set_path_closed(skin, true));
   EXPECT_EQ(edit->skin.path.size(), 6);
   ASSERT_EQ(edit->skin.section_count(), 2);
   EXPECT_EQ(edit->skin.sections[1].v, 0.5);
@@ -397,4 +372,4 @@ TEST(EditPath, EndsInOnePlaceBecomeOne) {
 }
 
 }  // namespace
-}  // namespace hariko
+}  // namespace hariko::test

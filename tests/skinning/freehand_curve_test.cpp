@@ -1,16 +1,12 @@
 #include "core/skinning/edit/freehand_curve.hpp"
 
-#include <gtest/gtest.h>
-
 #include <cmath>
 #include <numbers>
 
 #include "tests/support/random.hpp"
 
-namespace hariko {
+namespace hariko::test {
 namespace {
-
-using namespace test;
 
 /// Points of a curve as a hand draws them: at uneven distances, trembling by up to `tremor`.
 std::vector<Vector3> drawn(std::mt19937_64& rng, const SubdivisionCurve& curve, double tremor) {
@@ -33,8 +29,7 @@ TEST(FreehandCurve, FollowsSmoothStrokesWithFewPoints) {
     }
     const double tolerance = 2;
     const std::vector<Vector3> line = drawn(rng, curve, 0.4);
-    const auto fit = freehand_curve(line, curve.closed, tolerance);
-    ASSERT_TRUE(fit.ok());
+    const auto fit = must(freehand_curve(line, curve.closed, tolerance));
     EXPECT_EQ(fit->closed, curve.closed);
     EXPECT_LE(fit->size(), 24) << "for a curve of " << n;
     EXPECT_TRUE(fit->sharp.empty()) << "a corner where there is none";
@@ -61,8 +56,7 @@ TEST(FreehandCurve, CornersAreKept) {
         line.push_back(corners[i] + (corners[(i + 1) % 4] - corners[i]) * (k / 50.0) +
                        random_vector(rng, 0.3));
     if (!closed) line.push_back(corners[3]);
-    const auto fit = freehand_curve(line, closed, 2);
-    ASSERT_TRUE(fit.ok());
+    const auto fit = must(freehand_curve(line, closed, 2));
     int sharp = 0;
     for (int i = 0; i < fit->size(); ++i) {
       if (!fit->is_sharp(i)) continue;
@@ -88,4 +82,4 @@ TEST(FreehandCurve, AShortStrokeIsRefused) {
 }
 
 }  // namespace
-}  // namespace hariko
+}  // namespace hariko::test

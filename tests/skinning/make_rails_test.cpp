@@ -1,18 +1,15 @@
 #include "core/skinning/sections/make_rails.hpp"
 
-#include <gtest/gtest.h>
-
 #include <string>
 
 #include "core/skinning/columns/simple_skin.hpp"
 #include "core/skinning/evaluate_skin.hpp"
 #include "core/skinning/skin_messages.hpp"
 #include "tests/skinning/skin_inputs.hpp"
+#include "tests/support/must.hpp"
 
-namespace hariko {
+namespace hariko::test {
 namespace {
-
-using namespace test;
 
 /// Largest distance between points of the sections of two skins.
 double moved(const Skin& a, const Skin& b, bool ends) {
@@ -30,12 +27,10 @@ TEST(MakeRails, SectionsEndOnThem) {
   for (const std::string name : {"fig5", "fig6a", "car_default", "merge_split", "arches"}) {
     SCOPED_TRACE(name);
     const Skin skin = name == "arches" ? arched_skin(6, 4, 1, 7) : skin_input(name);
-    const auto edit = make_rails(skin);
-    ASSERT_TRUE(edit.ok()) << to_string(edit.error());
+    const auto edit = must(make_rails(skin));
     ASSERT_TRUE(edit->skin.second_rail.has_value());
     EXPECT_EQ(edit->skin.path.size(), edit->skin.second_rail->size());
-    const auto plan = plan_skin(edit->skin);
-    ASSERT_TRUE(plan.ok()) << to_string(plan.error());
+    const auto plan = must(plan_skin(edit->skin));
     EXPECT_EQ(plan->frames.mode(), FrameMode::two_rail);
     for (const SkinSection& section : edit->skin.sections) {
       EXPECT_LT((section.points.front().position - plan->frames.position(section.v)).norm(), 1e-12);
@@ -54,11 +49,9 @@ TEST(MakeRails, SectionsEndOnThem) {
 }
 
 TEST(MakeRails, TheSurfaceIsBetweenThem) {
-  const auto edit = make_rails(arched_skin(6, 4, 1, 7));
-  ASSERT_TRUE(edit.ok());
+  const auto edit = must(make_rails(arched_skin(6, 4, 1, 7)));
   const Skin& skin = edit->skin;
-  const auto made = SkinSurfacer().surface(skin, Vector3::Zero());
-  ASSERT_TRUE(made.ok()) << to_string(made.error());
+  const auto made = must(SkinSurfacer().surface(skin, Vector3::Zero()));
   const auto& patches = *subdivision_patches(made->surface);
   for (const auto& row : made->result.mesh.representative[0]) {
     EXPECT_LT(nearest_point(skin.path, patches.limit_position(row.front())).distance, 1e-9);
@@ -68,11 +61,9 @@ TEST(MakeRails, TheSurfaceIsBetweenThem) {
 
 TEST(MakeRails, ClosedSectionsAreRefused) {
   for (const char* name : {"tube", "ring"}) {
-    const auto edit = make_rails(skin_input(name));
-    ASSERT_FALSE(edit.ok());
-    EXPECT_EQ(edit.error().code, e_rail);
+    must_fail(make_rails(skin_input(name)), e_rail);
   }
 }
 
 }  // namespace
-}  // namespace hariko
+}  // namespace hariko::test

@@ -16,7 +16,7 @@ struct ReferenceMesh {
   struct Face {
     std::vector<Index> vertices;
     Index patch = no_index;              ///< once known
-    std::array<Vector2, 4> parameter{};  ///< of its corners in the patch
+    std::array<Vector2, 4> parameter{};  ///< parameters of its corners in the patch
   };
   using Edge = std::pair<Index, Index>;
   static Edge edge(Index a, Index b) { return {std::min(a, b), std::max(a, b)}; }

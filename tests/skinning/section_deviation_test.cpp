@@ -1,16 +1,12 @@
 #include "core/skinning/sections/section_deviation.hpp"
 
-#include <gtest/gtest.h>
-
 #include <string>
 
 #include "tests/skinning/random_skins.hpp"
 #include "tests/skinning/skin_inputs.hpp"
 
-namespace hariko {
+namespace hariko::test {
 namespace {
-
-using namespace test;
 
 /// Against `section_misses`, which samples densely and searches all of a section for each point.
 void expect_near_the_full_measure(const Skin& skin) {
@@ -55,4 +51,4 @@ TEST(SectionDeviation, IsNearTheFullMeasureOfRandomSkins) {
 }
 
 }  // namespace
-}  // namespace hariko
+}  // namespace hariko::test

@@ -2,8 +2,6 @@
 
 #include "core/skinning/sections/section_starts.hpp"
 
-#include <gtest/gtest.h>
-
 #include <cmath>
 #include <numbers>
 
@@ -11,17 +9,15 @@
 #include "core/skinning/columns/knot_shift.hpp"
 #include "core/skinning/columns/smooth.hpp"
 #include "core/skinning/edit/add_section.hpp"
-#include "core/skinning/edit/edit_correspondence.hpp"
 #include "core/skinning/edit/edit_section.hpp"
 #include "core/skinning/evaluate_skin.hpp"
 #include "core/skinning/sections/section_direction.hpp"
 #include "tests/skinning/skin_inputs.hpp"
 #include "tests/support/random.hpp"
 
-namespace hariko {
+namespace hariko::test {
 namespace {
 
-using namespace test;
 using std::numbers::pi;
 
 /// A circle across z that begins at an angle (degrees).
@@ -50,9 +46,7 @@ Skin tube(const std::vector<double>& begins, int path_points = 4, int points = 1
 }
 
 double area_of(const Skin& skin) {
-  const auto made = SkinSurfacer().surface(skin, Vector3::Zero());
-  EXPECT_TRUE(made.ok()) << (made.ok() ? "" : to_string(made.error()));
-  if (!made.ok()) return 0;
+  const auto made = must(SkinSurfacer().surface(skin, Vector3::Zero()));
   EXPECT_TRUE(made->result.warnings.empty()) << to_string(made->result.warnings.front());
   const auto misses = section_misses(skin, made->result.mesh, made->surface);
   if (skin.method == SkinMethod::pleat)
@@ -74,8 +68,7 @@ TEST(SectionStarts, EqualCirclesAreACylinderWhereverTheyBegin) {
 }
 
 TEST(SectionStarts, TheHourglassOfTheComplaintIsACylinder) {
-  const auto read = read_skin_layout(data_text("two_circles_start_180.json"));
-  ASSERT_TRUE(read.ok()) << to_string(read.error());
+  const auto read = must(read_skin_layout(data_text("two_circles_start_180.json")));
   for (const SkinMethod method : methods) {
     Skin skin = *read;
     skin.method = method;
@@ -97,8 +90,7 @@ TEST(SectionStarts, AreTheSameAtEveryScaleAndPlace) {
     for (const double shift : {0.0, 1e6}) {
       Skin skin = tube({0, 25});
       change_positions(skin, [&](Vector3& p) { p = scale * (p + Vector3(shift, 0, 0)); });
-      const auto plan = plan_skin(skin);
-      ASSERT_TRUE(plan.ok());
+      const auto plan = must(plan_skin(skin));
       // Curves of twelve points are circles up to that.
       EXPECT_NEAR(plan->strips[0].match.start, -25.0 / 360, 1e-7);
     }
@@ -155,31 +147,26 @@ TEST(SectionStarts, WhatTheDesignerChoseStays) {
   // A start: the hourglass that was drawn.
   Skin skin = tube({0, 60});
   skin.sections[1].start_chosen = true;
-  const auto chosen = plan_skin(skin);
-  ASSERT_TRUE(chosen.ok());
+  const auto chosen = must(plan_skin(skin));
   EXPECT_EQ(chosen->strips[0].lines[3], (PointPair{3, 3}));
   EXPECT_EQ(chosen->strips[0].twist, 0);
   // Moving the seam chooses it.
-  const auto moved = move_seam(tube({0, 15}), 1003);
-  ASSERT_TRUE(moved.ok());
+  const auto moved = must(move_seam(tube({0, 15}), 1003));
   EXPECT_TRUE(moved->skin.sections[1].start_chosen);
   EXPECT_EQ(plan_skin(moved->skin)->strips[0].lines[0].b, plan_skin(moved->skin)->strips[0].lines[0].a);
-  const auto found = set_start_chosen(moved->skin, 1, false);
-  ASSERT_TRUE(found.ok());
+  const auto found = must(set_start_chosen(moved->skin, 1, false));
   EXPECT_NEAR(area_of(found->skin), 2400.8, 0.1);
   // A link: its points stay on one line, in each method that knows links.
   for (const SkinMethod method : {SkinMethod::pleat, SkinMethod::anchored}) {
     Skin linked = tube({0, 15});
     linked.method = method;
     linked.links.push_back({5, 0, 1, {0}, {1002}, false, false});
-    const auto plan = plan_skin(linked);
-    ASSERT_TRUE(plan.ok());
+    const auto plan = must(plan_skin(linked));
     EXPECT_EQ(plan->strips[0].twist, 0);
     EXPECT_NE(std::find(plan->strips[0].lines.begin(), plan->strips[0].lines.end(), PointPair{0, 2}),
               plan->strips[0].lines.end());
     if (method != SkinMethod::anchored) continue;
-    const auto anchors = skin_anchors(linked, *plan);
-    ASSERT_TRUE(anchors.ok());
+    const auto anchors = must(skin_anchors(linked, *plan));
     const VirtualSurface surface(linked, *plan, *anchors);
     const double at = surface.anchor_places()[0];
     EXPECT_NEAR(std::remainder(surface.parameter(0, at), 1.0), 0, 1e-12);
@@ -256,8 +243,7 @@ TEST(SectionStarts, ASectionAddedToATubeStaysOnIt) {
   for (const SkinMethod method : methods) {
     Skin skin = tube({0, 25});
     skin.method = method;
-    const auto edit = add_section(skin, 0.5);
-    ASSERT_TRUE(edit.ok()) << to_string(edit.error());
+    const auto edit = must(add_section(skin, 0.5));
     EXPECT_NEAR(area_of(edit->skin), 2400.8, 0.3) << int(method);
   }
 }
@@ -290,4 +276,4 @@ TEST(KnotShift, KeepsControlPointsAndIsTheNearestCurve) {
 }
 
 }  // namespace
-}  // namespace hariko
+}  // namespace hariko::test

@@ -2,8 +2,6 @@
 
 #include "core/skinning/columns/skin_caps.hpp"
 
-#include <gtest/gtest.h>
-
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -12,10 +10,8 @@
 #include "tests/skinning/skin_inputs.hpp"
 #include "tests/support/random.hpp"
 
-namespace hariko {
+namespace hariko::test {
 namespace {
-
-using namespace test;
 
 /// Closed sections across x, all of as many points, bent and of different sizes.
 Skin random_tube(std::mt19937_64& rng, int sections) {
@@ -47,8 +43,7 @@ TEST(SkinCaps, ADomeClosesTheTubeAndIsRound) {
       Skin skin = random_tube(rng, uniform_int(rng, 2, 4));
       skin.method = method;
       skin.smooth.parameters = ColumnParameters::uniform;
-      const auto made = SkinSurfacer().surface(skin, Vector3::Zero());
-      ASSERT_TRUE(made.ok()) << to_string(made.error());
+      const auto made = must(SkinSurfacer().surface(skin, Vector3::Zero()));
       const ControlMesh& control = made->result.mesh.control;
       EXPECT_GT(tube_volume(control.mesh), 0);
       EXPECT_TRUE(control.creases.empty());
@@ -127,8 +122,7 @@ Skin unequal_tube(const std::vector<std::pair<int, double>>& circles) {
 }
 
 void expect_round_domes_through_sections(const Skin& skin) {
-  const auto made = SkinSurfacer().surface(skin, Vector3::Zero());
-  ASSERT_TRUE(made.ok()) << to_string(made.error());
+  const auto made = must(SkinSurfacer().surface(skin, Vector3::Zero()));
   EXPECT_TRUE(made->surface.boundary_sides().empty());
   const auto misses = section_misses(skin, made->result.mesh, made->surface);
   ASSERT_EQ(misses.size(), skin.sections.size());
@@ -153,8 +147,7 @@ void expect_round_domes_through_sections(const Skin& skin) {
 }
 
 TEST(SkinCaps, DomesOverUnequalSectionsPassThroughThem) {
-  const auto complaint = read_skin_layout(data_text("dome_unequal_sections.json"));
-  ASSERT_TRUE(complaint.ok()) << to_string(complaint.error());
+  const auto complaint = must(read_skin_layout(data_text("dome_unequal_sections.json")));
   expect_round_domes_through_sections(*complaint);
   using Circles = std::vector<std::pair<int, double>>;
   for (const Circles& circles : {Circles{{7, 8}, {12, 14}, {5, 6}}, Circles{{6, 10}, {13, 10}},
@@ -170,8 +163,7 @@ TEST(SkinCaps, FlatOnesLieInThePlaneOfTheirSection) {
     skin.caps = Caps::flat;
     for (SkinSection* section : {&skin.sections.front(), &skin.sections.back()})
       for (SectionPoint& p : section->points) p.position.x() = section == &skin.sections.front() ? 0 : 8;
-    const auto made = SkinSurfacer().surface(skin, Vector3::Zero());
-    ASSERT_TRUE(made.ok()) << to_string(made.error());
+    const auto made = must(SkinSurfacer().surface(skin, Vector3::Zero()));
     EXPECT_TRUE(made->surface.boundary_sides().empty());
     int flat = 0;
     const SubdivisionPatchSet& patches = *subdivision_patches(made->surface);
@@ -191,4 +183,4 @@ TEST(SkinCaps, FlatOnesLieInThePlaneOfTheirSection) {
 }
 
 }  // namespace
-}  // namespace hariko
+}  // namespace hariko::test

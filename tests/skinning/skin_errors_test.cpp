@@ -1,17 +1,13 @@
 // Every error and warning of a skin.
 
-#include <gtest/gtest.h>
-
 #include <cmath>
 
 #include "core/skinning/evaluate_skin.hpp"
 #include "core/skinning/skin_messages.hpp"
 #include "tests/skinning/skin_inputs.hpp"
 
-namespace hariko {
+namespace hariko::test {
 namespace {
-
-using namespace test;
 
 std::string code_of(const Skin& skin) {
   const auto result = evaluate_skin(skin);
@@ -232,4 +228,4 @@ TEST(SkinErrors, LayoutsThatAreWrong) {
 }
 
 }  // namespace
-}  // namespace hariko
+}  // namespace hariko::test

@@ -1,16 +1,12 @@
 #include "core/skinning/sections/skin_places.hpp"
 
-#include <gtest/gtest.h>
-
 #include <cmath>
 
 #include "tests/skinning/random_skins.hpp"
 #include "tests/skinning/skin_inputs.hpp"
 
-namespace hariko {
+namespace hariko::test {
 namespace {
-
-using namespace test;
 
 double apart(double a, double b, bool closed) {
   const double gap = std::abs(a - b);
@@ -62,8 +58,7 @@ TEST(SkinPlaces, AreThoseOfRowsAndContinuous) {
 TEST(SkinPlaces, CapsHaveNone) {
   Skin skin = skin_input("tube");
   skin.caps = Caps::dome;
-  const auto made = SkinSurfacer().surface(skin, Vector3::Zero());
-  ASSERT_TRUE(made.ok());
+  const auto made = must(SkinSurfacer().surface(skin, Vector3::Zero()));
   const SubdivisionTopology& topology = subdivision_patches(made->surface)->topology();
   const std::vector<double> places = vertex_places(skin, made->result.mesh);
   int none = 0;
@@ -74,4 +69,4 @@ TEST(SkinPlaces, CapsHaveNone) {
 }
 
 }  // namespace
-}  // namespace hariko
+}  // namespace hariko::test

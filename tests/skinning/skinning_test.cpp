@@ -1,7 +1,5 @@
 // Properties of both methods beyond the acceptance table.
 
-#include <gtest/gtest.h>
-
 #include <Eigen/Geometry>
 #include <map>
 #include <numbers>
@@ -9,14 +7,11 @@
 #include "core/skinning/columns/column_parameters.hpp"
 #include "core/skinning/columns/smooth.hpp"
 #include "core/skinning/evaluate_skin.hpp"
-#include "core/subdivision/regular_faces.hpp"
 #include "tests/skinning/skin_inputs.hpp"
 #include "tests/support/random.hpp"
 
-namespace hariko {
+namespace hariko::test {
 namespace {
-
-using namespace test;
 
 const std::vector<std::string>& input_names() {
   static const std::vector<std::string> names{
@@ -28,8 +23,7 @@ const std::vector<std::string>& input_names() {
 TEST(Pleat, EqualCountsGiveTheVirtualSurface) {
   Skin skin = skin_input("fig5");
   set_options(skin, "pleat_paper");
-  auto made = SkinSurfacer().surface(skin, Vector3::Zero());
-  ASSERT_TRUE(made.ok());
+  auto made = must(SkinSurfacer().surface(skin, Vector3::Zero()));
   const VirtualSurface wanted(skin, made->result.plan);
   // Ten spans along the sections, four along the path; faces go along v first.
   const auto& mesh = made->result.mesh;
@@ -45,8 +39,7 @@ TEST(Pleat, EqualCountsGiveTheVirtualSurface) {
 }
 
 TEST(Pleat, PatchIsBilinear) {
-  auto made = SkinSurfacer().surface(skin_input("patch"), Vector3::Zero());
-  ASSERT_TRUE(made.ok());
+  auto made = must(SkinSurfacer().surface(skin_input("patch"), Vector3::Zero()));
   const Vector3 p = made->surface.patches().evaluate(0, {0.5, 0.5}, Order::first).position;
   EXPECT_LT((p - Vector3(0.5, 0.5, 0.25)).norm(), 1e-15);
 }
@@ -58,8 +51,7 @@ TEST(Pleat, InteriorSectionsAreInterpolatedOnAllInputs) {
       Skin skin = skin_input(name);
       skin.method = SkinMethod::pleat;
       skin.pleat.fit = fit;
-      auto made = SkinSurfacer().surface(skin, Vector3::Zero());
-      ASSERT_TRUE(made.ok()) << to_string(made.error());
+      auto made = must(SkinSurfacer().surface(skin, Vector3::Zero()));
       EXPECT_TRUE(made->result.mesh.inexact.empty());
       for (const SectionMiss& miss : section_misses(skin, made->result.mesh, made->surface))
         EXPECT_LT(miss.same_parameter, 1e-10);
@@ -106,8 +98,7 @@ TEST(Pleat, MergesAndLinksBesideInteriorSectionsStayExact) {
         skin.links.push_back(link);
       }
     }
-    auto made = SkinSurfacer().surface(skin, Vector3::Zero());
-    ASSERT_TRUE(made.ok()) << to_string(made.error());
+    auto made = must(SkinSurfacer().surface(skin, Vector3::Zero()));
     // A merge and other lines may share a point of an interior section; that is told.
     const bool exact = made->result.mesh.inexact.empty();
     for (const SectionMiss& miss : section_misses(skin, made->result.mesh, made->surface)) {
@@ -123,8 +114,7 @@ TEST(Pleat, MergesAndLinksBesideInteriorSectionsStayExact) {
 
 TEST(Pleat, SymmetricCarHasASymmetricMesh) {
   Skin skin = skin_input("car_edited");
-  auto result = evaluate_skin(skin);
-  ASSERT_TRUE(result.ok());
+  auto result = must(evaluate_skin(skin));
   const auto& points = result->mesh.control.mesh.positions;
   EXPECT_EQ(result->mesh.control.mesh.face_count(), 170U);
   for (const Vector3& p : points) {
@@ -160,8 +150,7 @@ double miss_of_rails(const Skin& skin, const SkinSurface& made) {
 
 TEST(Pleat, TwoRailSidesLieOnTheRails) {
   const Skin skin = skin_input("tworail");
-  auto made = SkinSurfacer().surface(skin, Vector3::Zero());
-  ASSERT_TRUE(made.ok());
+  auto made = must(SkinSurfacer().surface(skin, Vector3::Zero()));
   // The ends of its middle section are written with six digits and lie 4.7e-7 beside the rails.
   EXPECT_LT(miss_of_rails(skin, *made), 5e-7);
 }
@@ -198,8 +187,7 @@ Skin random_skin_between_rails(std::mt19937_64& rng, double beside, int most) {
 }
 
 void check_between_rails(const Skin& skin, double beside) {
-  auto made = SkinSurfacer().surface(skin, Vector3::Zero());
-  ASSERT_TRUE(made.ok()) << to_string(made.error());
+  auto made = must(SkinSurfacer().surface(skin, Vector3::Zero()));
   EXPECT_TRUE(made->result.mesh.inexact.empty());
   for (const SectionMiss& miss : section_misses(skin, made->result.mesh, made->surface))
     EXPECT_LT(miss.same_parameter, 1e-10);
@@ -230,8 +218,7 @@ TEST(Pleat, CapsCloseTheTube) {
   for (const Caps caps : {Caps::flat, Caps::dome}) {
     Skin skin = skin_input("tube");
     skin.caps = caps;
-    auto result = evaluate_skin(skin);
-    ASSERT_TRUE(result.ok());
+    auto result = must(evaluate_skin(skin));
     EXPECT_GT(tube_volume(result->mesh.control.mesh), 0);
     std::map<std::pair<Index, Index>, int> directed;
     const PolygonMesh& mesh = result->mesh.control.mesh;
@@ -283,8 +270,7 @@ TEST(Smooth, LimitPointsLieOnTheVirtualSurface) {
     Skin skin = skin_input(name);
     skin.method = SkinMethod::smooth;
     skin.smooth.parameters = ColumnParameters::uniform;
-    auto made = SkinSurfacer().surface(skin, Vector3::Zero());
-    ASSERT_TRUE(made.ok());
+    auto made = must(SkinSurfacer().surface(skin, Vector3::Zero()));
     const SkinMesh& mesh = made->result.mesh;
     const VirtualSurface surface(skin, made->result.plan);
     const auto& patches = *subdivision_patches(made->surface);
@@ -319,8 +305,7 @@ TEST(Smooth, CornersOfAllSectionsBecomeCreasedColumns) {
     for (int i = 0; i < section.size(); ++i) section.points[std::size_t(i)].sharp = i == 2;
   skin.method = SkinMethod::smooth;
   skin.smooth.columns = 13;
-  auto made = SkinSurfacer().surface(skin, Vector3::Zero());
-  ASSERT_TRUE(made.ok());
+  auto made = must(SkinSurfacer().surface(skin, Vector3::Zero()));
   EXPECT_EQ(int(made->result.mesh.control.creases.size()), made->result.mesh.grid_rows - 1);
   const auto& patches = *subdivision_patches(made->surface);
   const SubdivisionCurve curve = skin.sections[1].curve();
@@ -333,8 +318,7 @@ TEST(Smooth, CornersOfAllSectionsBecomeCreasedColumns) {
 TEST(Smooth, AnchorsOfLinksAlignFeatures) {
   Skin skin = skin_input("fig6b");
   skin.method = SkinMethod::anchored;
-  auto made = SkinSurfacer().surface(skin, Vector3::Zero());
-  ASSERT_TRUE(made.ok());
+  auto made = must(SkinSurfacer().surface(skin, Vector3::Zero()));
   const VirtualSurface surface(skin, made->result.plan, *skin_anchors(skin, made->result.plan));
   ASSERT_EQ(surface.anchor_places().size(), 2U);
   // Links 2-3 and 6-5 of nine and seven points.
@@ -344,75 +328,9 @@ TEST(Smooth, AnchorsOfLinksAlignFeatures) {
   EXPECT_NEAR(surface.parameter(1, surface.anchor_places()[1]), 5.0 / 6, 1e-14);
 }
 
-TEST(RegularFaces, AreTheSurface) {
-  for (const std::string& name : input_names())
-    for (const SkinMethod method : {SkinMethod::pleat, SkinMethod::smooth, SkinMethod::anchored}) {
-      Skin skin = skin_input(name);
-      skin.method = method;
-      skin.smooth.parameters = ColumnParameters::uniform;
-      auto made = SkinSurfacer().surface(skin, Vector3::Zero());
-      if (method == SkinMethod::anchored && name == "car_edited") {
-        // Several points that are joined to one cannot be columns of a grid.
-        EXPECT_EQ(made.error().code.name, "E_LINK_CROSS");
-        continue;
-      }
-      ASSERT_TRUE(made.ok()) << name;
-      const auto& topology = subdivision_patches(made->surface)->topology();
-      std::vector<std::vector<Index>> patches(made->result.mesh.control.mesh.face_count());
-      for (Index p = 0; p < topology.patch_count(); ++p) patches[topology.face_of(p)].push_back(p);
-      const auto faces = regular_faces(made->result.mesh.control);
-      std::size_t in_rectangles = 0;
-      for (const RegularFace& face : faces)
-        for (const Index p : patches[face.face])
-          for (const Vector2& at : {Vector2(0.2, 0.3), Vector2(0.9, 0.6), Vector2(0, 1)}) {
-            Vector2 whole = at;
-            if (topology.cut()) {
-              const int c = topology.corner_of(p);
-              const Vector2 corner = corner_parameter(Domain::square, c);
-              whole = corner + 0.5 * at.x() * (corner_parameter(Domain::square, (c + 1) % 4) - corner) +
-                      0.5 * at.y() * (corner_parameter(Domain::square, (c + 3) % 4) - corner);
-            }
-            ASSERT_LT((made->surface.patches().evaluate(p, at, Order::first).position -
-                       evaluate(face, whole.x(), whole.y()))
-                          .norm(),
-                      1e-12)
-                << name << " face " << face.face;
-          }
-      for (const SplineRectangle& r : spline_rectangles(made->result.mesh.control)) {
-        in_rectangles += r.faces.size();
-        ASSERT_EQ(r.points.size(), std::size_t(r.columns + 3) * (r.rows + 3));
-        for (const Vector3& p : r.points) ASSERT_TRUE(p.allFinite());
-      }
-      EXPECT_EQ(in_rectangles, faces.size());
-    }
-}
-
-TEST(RegularFaces, RectanglesAreTheirFaces) {
-  Skin skin = skin_input("car_edited");
-  auto result = evaluate_skin(skin);
-  ASSERT_TRUE(result.ok());
-  std::map<Index, RegularFace> faces;
-  for (const RegularFace& face : regular_faces(result->mesh.control)) faces[face.face] = face;
-  const auto rectangles = spline_rectangles(result->mesh.control);
-  EXPECT_LT(rectangles.size(), faces.size() / 3);
-  for (const SplineRectangle& r : rectangles)
-    for (Index row = 0; row < r.rows; ++row)
-      for (Index c = 0; c < r.columns; ++c) {
-        RegularFace piece;
-        for (Index j = 0; j < 4; ++j)
-          for (Index i = 0; i < 4; ++i)
-            piece.points[4 * j + i] = r.points[(row + j) * (r.columns + 3) + c + i];
-        // The middle of a face does not depend on how it is turned.
-        EXPECT_LT(
-            (evaluate(piece, 0.5, 0.5) - evaluate(faces.at(r.faces[row * r.columns + c]), 0.5, 0.5)).norm(),
-            1e-12);
-      }
-}
-
 TEST(Frames, RotationMinimisingFramesCloseOnAClosedPath) {
   const Skin skin = skin_input("ring");
-  auto plan = plan_skin(skin);
-  ASSERT_TRUE(plan.ok());
+  auto plan = must(plan_skin(skin));
   EXPECT_LT((plan->frames.frame(0) - plan->frames.frame(1 - 1e-12)).norm(), 1e-6);
   for (int i = 0; i < 50; ++i) {
     const Matrix3 f = plan->frames.frame(i / 50.0);
@@ -433,11 +351,9 @@ TEST(Frames, AutomaticModeFollowsTheTurning) {
 TEST(SkinSurfacer, ADraggedPointKeepsTheTopology) {
   Skin skin = skin_input("car_edited");
   SkinSurfacer surfacer;
-  auto before = surfacer.surface(skin, Vector3::Zero());
-  ASSERT_TRUE(before.ok());
+  auto before = must(surfacer.surface(skin, Vector3::Zero()));
   skin.sections[3].points[5].position.z() += 0.1;
-  auto after = surfacer.surface(skin, Vector3::Zero());
-  ASSERT_TRUE(after.ok());
+  auto after = must(surfacer.surface(skin, Vector3::Zero()));
   EXPECT_TRUE(after->surface.same_adjacency(before->surface));
   auto fresh = SkinSurfacer().surface(skin, Vector3::Zero());
   EXPECT_EQ(fresh->result.mesh.control.mesh.positions, after->result.mesh.control.mesh.positions);
@@ -463,11 +379,10 @@ TEST(SkinSurfacer, FiftySectionsOfFortyPointsWork) {
   for (const SkinMethod method : {SkinMethod::pleat, SkinMethod::smooth}) {
     skin.method = method;
     skin.smooth.parameters = ColumnParameters::uniform;
-    auto made = SkinSurfacer().surface(skin, Vector3::Zero());
-    ASSERT_TRUE(made.ok()) << to_string(made.error());
+    auto made = must(SkinSurfacer().surface(skin, Vector3::Zero()));
     EXPECT_GT(made->surface.patch_count(), 1000U);
   }
 }
 
 }  // namespace
-}  // namespace hariko
+}  // namespace hariko::test

@@ -1,8 +1,6 @@
 #include "core/skinning/edit/stroke.hpp"
 #include "core/geometry/polygon.hpp"
 
-#include <gtest/gtest.h>
-
 #include <cmath>
 #include <numbers>
 

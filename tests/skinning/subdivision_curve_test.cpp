@@ -1,7 +1,5 @@
 #include "core/subdivision/subdivision_curve.hpp"
 
-#include <gtest/gtest.h>
-
 #include <numbers>
 
 #include "tests/support/random.hpp"
@@ -91,29 +89,6 @@ TEST(SubdivisionCurve, InsertedAndDeletedPointsKeepTheOtherLimits) {
   const double one = with_point_inserted(ring, 3).deviation;
   EXPECT_GT(one, 0);
   EXPECT_LT(one, 2e-2);
-}
-
-TEST(SubdivisionCurve, ClampedSplineIsTheCurve) {
-  for_random(86, 40, [](std::mt19937_64& rng) {
-    SubdivisionCurve curve;
-    const int n = uniform_int(rng, 2, 8);
-    for (int i = 0; i < n; ++i) curve.points.push_back(random_vector(rng));
-    const std::vector<Vector3> clamped = clamped_control_points(curve);
-    ASSERT_EQ(clamped.size(), std::size_t(n) + 2);
-    const auto knot = [&](int i) { return double(std::clamp(i - 3, 0, n - 1)); };
-    for (int sample = 0; sample <= 30; ++sample) {
-      const double x = (n - 1) * sample / 30.0;
-      const int span = std::min(int(x), n - 2) + 3;
-      std::array<Vector3, 4> d;
-      for (int j = 0; j < 4; ++j) d[std::size_t(j)] = clamped[std::size_t(span - 3 + j)];
-      for (int r = 1; r <= 3; ++r)
-        for (int j = 3; j >= r; --j) {
-          const double a = (x - knot(span - 3 + j)) / (knot(span + 1 + j - r) - knot(span - 3 + j));
-          d[std::size_t(j)] = (1 - a) * d[std::size_t(j - 1)] + a * d[std::size_t(j)];
-        }
-      ASSERT_LT((d[3] - evaluate(curve, sample / 30.0).position).norm(), 1e-13);
-    }
-  });
 }
 
 TEST(SubdivisionCurve, NearestPointIsNearerThanSamples) {

@@ -1,7 +1,5 @@
 #include "core/subdivision/subdivision_surface.hpp"
 
-#include <gtest/gtest.h>
-
 #include <cstring>
 #include <set>
 
@@ -10,10 +8,8 @@
 #include "tests/skinning/reference_subdivision.hpp"
 #include "tests/support/random.hpp"
 
-namespace hariko {
+namespace hariko::test {
 namespace {
-
-using namespace test;
 
 /// A grid of quads with some of them cut into triangles, pentagons beside missing corners, random heights.
 ControlMesh random_sheet(std::mt19937_64& rng, bool quads_only) {
@@ -64,8 +60,7 @@ double largest_gap(const ControlMesh& mesh, int levels) {
   ReferenceMesh reference(mesh);
   for (int i = 0; i < levels; ++i) reference = reference.subdivided();
   const std::vector<Vector3> limits = reference.limits();
-  const auto surface = subdivision_surface(Vector3::Zero(), mesh);
-  EXPECT_TRUE(surface.ok());
+  const auto surface = must(subdivision_surface(Vector3::Zero(), mesh));
   const int density = mesh.all_quads() ? 1 << levels : 1 << (levels - 1);
   const GridPattern pattern{Domain::square, density};
   std::vector<Index> all(surface->patch_count());
@@ -106,7 +101,7 @@ TEST(SubdivisionSurface, AgreesWithIndependentSubdivisionAtCreases) {
     add_crease(mesh, 4, 4, 2, sharpness);
     mesh.corners.push_back({0, infinitely_sharp});
     mesh.corners.push_back({24, infinitely_sharp});
-    // Where a fading crease has faded, the masks hold.
+    // Masks hold where a fading crease has faded.
     EXPECT_LT(largest_gap(mesh, 5), 1e-12) << sharpness;
   });
 }
@@ -114,8 +109,7 @@ TEST(SubdivisionSurface, AgreesWithIndependentSubdivisionAtCreases) {
 TEST(SubdivisionSurface, DerivativesAreThoseOfThePosition) {
   for_random(94, 20, [](std::mt19937_64& rng) {
     const ControlMesh mesh = random_mesh(rng);
-    const auto surface = subdivision_surface(Vector3::Zero(), mesh);
-    ASSERT_TRUE(surface.ok());
+    const auto surface = must(subdivision_surface(Vector3::Zero(), mesh));
     const PatchSet& patches = surface->patches();
     for (int k = 0; k < 10; ++k) {
       const Index patch = Index(uniform_int(rng, 0, int(patches.patch_count()) - 1));
@@ -141,8 +135,7 @@ bool same_bits(const Vector3& a, const Vector3& b) {
 
 TEST(SubdivisionSurface, BothSidesOfASeamHaveTheSameBits) {
   for_random(95, 12, [](std::mt19937_64& rng) {
-    const auto surface = subdivision_surface(Vector3::Zero(), random_mesh(rng));
-    ASSERT_TRUE(surface.ok());
+    const auto surface = must(subdivision_surface(Vector3::Zero(), random_mesh(rng)));
     const PatchSet& patches = surface->patches();
     const int density = uniform_int(rng, 1, 9);
     const GridPattern pattern{Domain::square, density};
@@ -179,12 +172,10 @@ TEST(SubdivisionSurface, BothSidesOfASeamHaveTheSameBits) {
 TEST(SubdivisionSurface, EveryPatchHasAHullOnlyWhereItIsOnePolynomial) {
   std::mt19937_64 rng(random_seed(96));
   const ControlMesh mesh = random_sheet(rng, true);
-  const auto surface = subdivision_surface(Vector3::Zero(), mesh);
-  ASSERT_TRUE(surface.ok());
+  const auto surface = must(subdivision_surface(Vector3::Zero(), mesh));
   for (Index p = 0; p < surface->patch_count(); ++p)
     EXPECT_EQ(surface->patches().hull_degree(p), 6) << "regular grids are splines";
-  const auto box = subdivision_surface(Vector3::Zero(), random_box(rng, 6));
-  ASSERT_TRUE(box.ok());
+  const auto box = must(subdivision_surface(Vector3::Zero(), random_box(rng, 6)));
   int without = 0;
   for (Index p = 0; p < box->patch_count(); ++p) without += box->patches().hull_degree(p) == 0;
   EXPECT_GT(without, 0);
@@ -193,8 +184,7 @@ TEST(SubdivisionSurface, EveryPatchHasAHullOnlyWhereItIsOnePolynomial) {
 TEST(SubdivisionSurface, EqualTopologyIsShared) {
   std::mt19937_64 rng(random_seed(97));
   const ControlMesh mesh = random_sheet(rng, false);
-  const auto topology = SubdivisionTopology::make(mesh);
-  ASSERT_TRUE(topology.ok());
+  const auto topology = must(SubdivisionTopology::make(mesh));
   std::vector<Vector3> moved = mesh.mesh.positions;
   for (Vector3& p : moved) p += Vector3(1, 2, 3);
   const Surface a = subdivision_surface(Vector3::Zero(), *topology, mesh.mesh.positions);
@@ -225,4 +215,4 @@ TEST(SubdivisionSurface, BadMeshesAreRefused) {
 }
 
 }  // namespace
-}  // namespace hariko
+}  // namespace hariko::test

@@ -1,7 +1,5 @@
 #include "core/skinning/edit/symmetric_edit.hpp"
 
-#include <gtest/gtest.h>
-
 #include <numbers>
 #include <set>
 
@@ -10,12 +8,10 @@
 #include "tests/skinning/skin_inputs.hpp"
 #include "tests/support/random.hpp"
 
-namespace hariko {
+namespace hariko::test {
 namespace {
 
-using namespace test;
-
-/// How far each point is from the image of its partner.
+/// Largest distance of a point from the image of its partner.
 double asymmetry(const Skin& skin, const MirrorPlane& plane) {
   double out = 0;
   for (const SkinSection& section : skin.sections) {
@@ -45,8 +41,7 @@ TEST(SymmetricEdit, BothHalvesFollow) {
     const SkinSection& section = skin.sections[std::size_t(k)];
     const SectionPoint& p = section.points[std::size_t(i)];
     const Vector3 to = p.position + random_vector(rng, 0.3);
-    const auto moved = move_section_points(skin, std::vector{MovedPoint{p.id, to}}, plane);
-    ASSERT_TRUE(moved.ok());
+    const auto moved = must(move_section_points(skin, std::vector{MovedPoint{p.id, to}}, plane));
     EXPECT_LT(asymmetry(moved->skin, plane), 1e-12);
     const int partner = section.size() - 1 - i;
     const auto& now = moved->skin.sections[std::size_t(k)].points;
@@ -55,12 +50,11 @@ TEST(SymmetricEdit, BothHalvesFollow) {
       if (j != i && j != partner) {
         EXPECT_EQ(now[std::size_t(j)], section.points[std::size_t(j)]);
       }
-    const auto limit = move_limit_point(skin, p.id, to, plane);
-    ASSERT_TRUE(limit.ok());
+    const auto limit = must(move_limit_point(skin, p.id, to, plane));
     EXPECT_LT(asymmetry(limit->skin, plane), 1e-12);
     const auto limits = limit_points(limit->skin.sections[std::size_t(k)].curve());
     EXPECT_LT((limits[std::size_t(i)] - (partner == i ? plane.foot(to) : to)).norm(), 1e-12);
-    // Of two partners that both move the first one decides.
+    // The first of two partners that both move decides.
     const std::uint32_t other = section.points[std::size_t(partner)].id;
     const auto both =
         move_section_points(skin, std::vector{MovedPoint{p.id, to}, {other, to + Vector3(1, 1, 1)}}, plane);
@@ -105,8 +99,7 @@ TEST(SymmetricEdit, PointsComeAndGoOnBothHalves) {
     ASSERT_LT(asymmetry(skin, plane), 1e-12);
     const SkinSection& section = skin.sections[1];
     const int span = uniform_int(rng, 0, section.curve().spans() - 1);
-    const auto inserted = insert_section_point(skin, section.id, span, plane);
-    ASSERT_TRUE(inserted.ok());
+    const auto inserted = must(insert_section_point(skin, section.id, span, plane));
     EXPECT_LT(asymmetry(inserted->skin, plane), 1e-9);
     EXPECT_EQ(inserted->skin.sections[1].size(), section.size() + int(inserted->points.size()));
     EXPECT_EQ(inserted->skin.sections[0], skin.sections[0]);
@@ -126,11 +119,10 @@ TEST(SymmetricEdit, PointsComeAndGoOnBothHalves) {
       EXPECT_EQ(std::set(pair.begin(), pair.end()),
                 std::set(inserted->points.begin(), inserted->points.end()));
     }
-    // What came goes again, from both halves.
+    // Deletion takes it away again, from both halves.
     const auto both = with_partners(inserted->skin, std::vector{inserted->points[0]}, plane);
     EXPECT_EQ(both.size(), inserted->points.size());
-    const auto deleted = delete_section_points(inserted->skin, both);
-    ASSERT_TRUE(deleted.ok());
+    const auto deleted = must(delete_section_points(inserted->skin, both));
     EXPECT_EQ(deleted->skin.sections[1].size(), section.size());
     EXPECT_LT(asymmetry(deleted->skin, plane), 1e-9);
   });
@@ -147,15 +139,13 @@ TEST(SymmetricEdit, SectionsBecomeTheirOwnImages) {
     const MirrorPlane plane = mirror_plane(skin);
     for (SkinSection& section : skin.sections)
       for (SectionPoint& p : section.points) p.position += random_vector(rng, 0.2);
-    const auto all = make_symmetric(skin, {}, plane);
-    ASSERT_TRUE(all.ok());
+    const auto all = must(make_symmetric(skin, {}, plane));
     EXPECT_LT(asymmetry(all->skin, plane), 1e-12);
-    const auto one = make_symmetric(skin, std::vector<std::uint32_t>{1}, plane);
-    ASSERT_TRUE(one.ok());
+    const auto one = must(make_symmetric(skin, std::vector<std::uint32_t>{1}, plane));
     EXPECT_EQ(one->skin.sections[0], skin.sections[0]);
     EXPECT_EQ(one->skin.sections[1], all->skin.sections[1]);
   });
 }
 
 }  // namespace
-}  // namespace hariko
+}  // namespace hariko::test

@@ -13,6 +13,7 @@
 #include <string>
 
 #include "core/base/vector.hpp"
+#include "tests/support/must.hpp"
 
 namespace hariko::test {
 

@@ -2,8 +2,6 @@
 
 #include "core/surface/bicubic_patch.hpp"
 
-#include <gtest/gtest.h>
-
 #include <cstring>
 #include <variant>
 
@@ -13,10 +11,8 @@
 #include "core/surface/triangle_net.hpp"
 #include "tests/support/random.hpp"
 
-namespace hariko {
+namespace hariko::test {
 namespace {
-
-using namespace test;
 
 BicubicNet random_net(std::mt19937_64& rng, Index columns, Index rows) {
   BicubicNet net{columns, rows, {}};
@@ -208,4 +204,4 @@ TEST(BicubicPatch, NormalsAtSidesShrunkToAPoint) {
 }
 
 }  // namespace
-}  // namespace hariko
+}  // namespace hariko::test

@@ -1,7 +1,5 @@
 #include "core/surface/patch.hpp"
 
-#include <gtest/gtest.h>
-
 #include <Eigen/Geometry>
 #include <set>
 

@@ -2,8 +2,6 @@
 
 #include "core/surface/weld_patches.hpp"
 
-#include <gtest/gtest.h>
-
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
@@ -151,6 +149,43 @@ BezierPatch square(double x, double y, double width, double height) {
   return patch;
 }
 
+/// Flat patches of the sides of a cube of edge 1 with its least corner at a place, which look outwards.
+std::vector<BezierPatch> cube_of_patches(const Vector3& place) {
+  std::vector<BezierPatch> out;
+  for (int axis = 0; axis < 3; ++axis)
+    for (const bool far : {false, true}) {
+      BezierPatch patch;
+      patch.degree_s = patch.degree_t = 1;
+      for (int j = 0; j < 2; ++j)
+        for (int i = 0; i < 2; ++i) {
+          Vector3 point = place;
+          point[axis] += far ? 1 : 0;
+          point[(axis + 1) % 3] += far ? i : j;
+          point[(axis + 2) % 3] += far ? j : i;
+          patch.points.push_back(point);
+        }
+      out.push_back(std::move(patch));
+    }
+  return out;
+}
+
+TEST(WeldPatches, BodiesThatTouchAlongAnEdgeStayClosedInAnyOrder) {
+  test::for_random(20261127, 40, [](std::mt19937_64& rng) {
+    std::vector<BezierPatch> patches = cube_of_patches(Vector3::Zero());
+    for (BezierPatch& patch : cube_of_patches({1, 1, 0})) patches.push_back(std::move(patch));
+    std::shuffle(patches.begin(), patches.end(), rng);
+    const Surface surface = weld_patches(Vector3::Zero(), patches).value();
+    EXPECT_TRUE(surface.boundary_sides().empty());
+    EXPECT_EQ(surface.seams().size(), 24U);
+    for (Index k = 0; k < surface.patch_count(); ++k) {
+      const BezierPatch& given = patches[k];
+      const Vector3 outwards =
+          (given.points[1] - given.points[0]).cross(given.points[2] - given.points[0]).normalized();
+      EXPECT_NEAR(surface.normal(k, {0.5, 0.5}).dot(outwards), 1, 1e-12) << "patch " << k << " is flipped";
+    }
+  });
+}
+
 TEST(WeldPatches, TJointsAreFoundHoweverManySidesAreFree) {
   // Each group is a square beside two halves.
   constexpr int groups = 800;
@@ -161,8 +196,7 @@ TEST(WeldPatches, TJointsAreFoundHoweverManySidesAreFree) {
     patches.push_back(square(x + 1, y, 1, 0.5));
     patches.push_back(square(x + 1, y + 0.5, 1, 0.5));
   }
-  const auto surface = weld_patches(Vector3::Zero(), patches);
-  ASSERT_TRUE(surface.ok());
+  const auto surface = test::must(weld_patches(Vector3::Zero(), patches));
   EXPECT_EQ(surface->seams().size(), 3U * groups);
   // The same groups one by one.
   const auto one = weld_patches(Vector3::Zero(), {patches.begin(), patches.begin() + 3});

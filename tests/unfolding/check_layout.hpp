@@ -17,7 +17,7 @@ namespace hariko::test {
 
 using Corners = std::array<Vector2, 3>;
 
-/// What is to be checked: facets in the order of the mesh.
+/// Layout to be checked: facets in the order of the mesh.
 struct CheckedLayout {
   double scale = 1;
   std::vector<Corners> corners;

@@ -33,8 +33,7 @@ TEST(EditUnfolding, RandomEditsKeepShapesAndTrees) {
       switch (uniform_int(rng, 0, 5)) {
         case 0:
           if (const Index e = some_edge(rng, model, true); e != no_index) {
-            const auto split = split_at(model, e);
-            ASSERT_TRUE(split.ok());
+            const auto split = must(split_at(model, e));
             EXPECT_EQ(split->pieces.size(), before.pieces.size() + 1);
             for (Index f = 0; f < mesh.face_count(); ++f)
               for (std::size_t k = 0; k < 3; ++k)
@@ -82,8 +81,7 @@ TEST(EditUnfolding, SplitAndJoinGiveTheSameSheetAgain) {
   const Unfolding model = model_of(golden_facets("wave_opt"), 250);
   std::mt19937_64 rng(5);
   const Index e = some_edge(rng, model, true);
-  const auto back = join_at(split_at(model, e).value(), e);
-  ASSERT_TRUE(back.ok());
+  const auto back = must(join_at(split_at(model, e).value(), e));
   EXPECT_EQ(back->folds, model.folds);
   for (Index f = 0; f < model.corners.size(); ++f)
     for (std::size_t k = 0; k < 3; ++k) EXPECT_LT((back->corners[f][k] - model.corners[f][k]).norm(), 1e-8);
@@ -170,19 +168,27 @@ TEST(EditUnfolding, SplitToFitBreaksUpOnePiece) {
   ASSERT_EQ(model.pieces.size(), 1U);
   PaperSettings larger = model.settings;
   larger.scale *= 3;
-  const auto scaled = with_settings(model, larger);
-  ASSERT_TRUE(scaled.ok());
-  ASSERT_EQ(unfolding_messages(*scaled).size(), 1U);
-  const Unfolding split = rearrange(split_to_fit(*scaled, 0));
+  const Unfolding scaled = assemble(model.graph, larger, model.folds, model.wishes, model.tab_choices);
+  ASSERT_EQ(unfolding_messages(scaled).size(), 1U);
+  const Unfolding split = rearrange(split_to_fit(scaled, 0));
   EXPECT_TRUE(unfolding_messages(split).empty());
   check_pages(mesh, split);
+}
+
+/// Names for a mesh that stands for itself: the numbers of its vertices.
+std::vector<PaperVertex> plain_names(const FacetGraph& graph) {
+  std::vector<PaperVertex> out(graph.positions().size());
+  for (Index v = 0; v < out.size(); ++v) {
+    out[v].object = ObjectId{0};
+    out[v].side = v;
+  }
+  return out;
 }
 
 /// Kept by a document and restored on another mesh, where vertices are known by their numbers.
 Unfolding carried_over(const Unfolding& model, const std::shared_ptr<const FacetGraph>& graph) {
   const PaperModel kept = kept_of(model, plain_names(*model.graph), {});
-  auto out = restored(kept, graph, plain_names(*graph));
-  EXPECT_TRUE(out.ok());
+  auto out = must(restored(kept, graph, plain_names(*graph)));
   return std::move(out).value();
 }
 

@@ -1,7 +1,5 @@
 // Faces of any number of sides: triangles of them, corners that are joined, and parts of large ones.
 
-#include <gtest/gtest.h>
-
 #include <cmath>
 #include <numbers>
 
@@ -98,8 +96,7 @@ TEST(FaceTriangles, CornersWithinSidesAreFineAndCrossingFacesHaveNone) {
 }
 
 TEST(FacetGraph, FlatFacesHaveInnerEdgesAndBentOnesFolds) {
-  const auto cube = FacetGraph::build(box({1, 2, 3}));
-  ASSERT_TRUE(cube.ok());
+  const auto cube = must(FacetGraph::build(box({1, 2, 3})));
   EXPECT_EQ(cube->face_count(), 6U);
   EXPECT_EQ(cube->facet_count(), 12U);
   EXPECT_EQ(cube->edge_count(), 18U);
@@ -118,8 +115,7 @@ TEST(FacetGraph, FlatFacesHaveInnerEdgesAndBentOnesFolds) {
   PolygonMesh saddle;
   saddle.positions = {{0, 0, 0}, {1, 0, 0.2}, {1, 1, 0}, {0, 1, 0.2}};
   saddle.add_face({0, 1, 2, 3});
-  const auto bent = FacetGraph::build(saddle);
-  ASSERT_TRUE(bent.ok());
+  const auto bent = must(FacetGraph::build(saddle));
   for (const FacetEdge& edge : bent->edges()) EXPECT_FALSE(edge.inner);
   // Front and back of one quad: two faces with the same diagonal.
   PolygonMesh both;
@@ -133,8 +129,7 @@ TEST(Unfolding, FlatFacesStayWholeWhateverTheMethod) {
   for (const CutMethod method : {CutMethod::search, CutMethod::reference})
     for (const CutGoal goal : {CutGoal::fewest, CutGoal::easiest}) {
       const auto graph = shared_graph(box({40, 60, 80}));
-      const auto made = unfold(graph, {}, {.goal = goal, .method = method, .steps = 2000});
-      ASSERT_TRUE(made.ok());
+      const auto made = must(unfold(graph, {}, {.goal = goal, .method = method, .steps = 2000}));
       for (Index e = 0; e < graph->edge_count(); ++e)
         if (graph->edge(e).inner) {
           EXPECT_TRUE(made->folds[e]);
@@ -153,8 +148,7 @@ TEST(JoinCorners, EqualPlacesJoinWhereTwoSidesMeet) {
     PolygonMesh loose = unwelded(welded);
     const std::size_t before = loose.positions.size();
     EXPECT_EQ(join_equal_corners(loose), before - welded.positions.size());
-    const auto graph = FacetGraph::build(loose);
-    ASSERT_TRUE(graph.ok());
+    const auto graph = must(FacetGraph::build(loose));
     EXPECT_EQ(graph->component_count(), 1U);
     for (const FacetEdge& edge : graph->edges()) EXPECT_FALSE(edge.border());
     EXPECT_EQ(join_equal_corners(loose), 0U) << "once is enough";
@@ -174,8 +168,7 @@ TEST(JoinCorners, SolidsThatTouchStayTwo) {
   PolygonMesh loose = unwelded(two);
   join_equal_corners(loose);
   for (const PolygonMesh* mesh : {&two, &loose}) {
-    const auto graph = FacetGraph::build(*mesh);
-    ASSERT_TRUE(graph.ok()) << graph.error().text;
+    const auto graph = must(FacetGraph::build(*mesh));
     EXPECT_EQ(graph->component_count(), 2U);
   }
 }
@@ -191,16 +184,13 @@ TEST(CutLargeFaces, EveryPartFitsThePageAndNothingIsLost) {
     PaperSettings settings;
     settings.scale = log_uniform(rng, 1e-3, 1e6);
     for (Vector3& p : mesh.positions) p /= settings.scale;
-    const auto cut = cut_large_faces(mesh, settings);
-    ASSERT_TRUE(cut.ok()) << cut.error().text;
+    const auto cut = must(cut_large_faces(mesh, settings));
     EXPECT_NEAR(area_of(cut->mesh), area_of(mesh), 1e-9 * area_of(mesh));
-    const auto graph = FacetGraph::build(cut->mesh);
-    ASSERT_TRUE(graph.ok()) << graph.error().text;
+    const auto graph = must(FacetGraph::build(cut->mesh));
     EXPECT_EQ(graph->component_count(), 1U);
     for (const FacetEdge& edge : graph->edges()) EXPECT_FALSE(edge.border());
     if (round) return;  // packing so many triangles takes long
-    const auto made = unfold(std::make_shared<const FacetGraph>(*graph), settings, {.steps = 200});
-    ASSERT_TRUE(made.ok());
+    const auto made = must(unfold(std::make_shared<const FacetGraph>(*graph), settings, {.steps = 200}));
     for (const Message& message : unfolding_messages(*made))
       EXPECT_NE(message.severity, Severity::error) << message.text;
     EXPECT_TRUE(overlapping_pairs(printed_polygons(*made), paper_tolerance(*made)).empty());
@@ -209,8 +199,7 @@ TEST(CutLargeFaces, EveryPartFitsThePageAndNothingIsLost) {
 
 TEST(CutLargeFaces, WhatFitsStaysAsItIs) {
   const PolygonMesh mesh = box({100, 120, 90});
-  const auto same = cut_large_faces(mesh, {});
-  ASSERT_TRUE(same.ok());
+  const auto same = must(cut_large_faces(mesh, {}));
   EXPECT_EQ(same->cut, 0U);
   EXPECT_EQ(same->mesh.face_vertices, mesh.face_vertices);
   PaperSettings large;
@@ -220,9 +209,7 @@ TEST(CutLargeFaces, WhatFitsStaysAsItIs) {
   large.scale *= 1.02;
   EXPECT_GT(cut_large_faces(mesh, large)->cut, 0U);
   large.scale = 200;
-  const auto refused = cut_large_faces(mesh, large);
-  ASSERT_FALSE(refused.ok());
-  EXPECT_EQ(refused.error().code, e_paper_setting);
+  must_fail(cut_large_faces(mesh, large), e_paper_setting);
 }
 
 TEST(CutLargeFaces, ConcaveFacesAreCutToo) {
@@ -230,12 +217,10 @@ TEST(CutLargeFaces, ConcaveFacesAreCutToo) {
   for (const Vector3& p : star(5, 0.4, Eigen::Quaterniond::Identity(), Vector3::Zero()))
     mesh.positions.push_back(400 * p);
   mesh.add_face({0, 1, 2, 3, 4, 5, 6, 7, 8, 9});
-  const auto cut = cut_large_faces(mesh, {});
-  ASSERT_TRUE(cut.ok());
+  const auto cut = must(cut_large_faces(mesh, {}));
   EXPECT_EQ(cut->cut, 1U);
   EXPECT_NEAR(area_of(cut->mesh), area_of(mesh), 1e-6);
-  const auto graph = FacetGraph::build(cut->mesh);
-  ASSERT_TRUE(graph.ok()) << graph.error().text;
+  const auto graph = must(FacetGraph::build(cut->mesh));
   EXPECT_EQ(graph->component_count(), 1U);
 }
 
@@ -255,12 +240,10 @@ TEST(JoinCorners, AOneSidedStripStaysCut) {
       strip.add_face({at(k, 0), at(k + 1, 1), at(k, 1)});
     }
     EXPECT_FALSE(FacetGraph::build(strip).ok());
-    const auto repaired = make_manifold(strip);
-    ASSERT_TRUE(repaired.ok());
+    const auto repaired = must(make_manifold(strip));
     PolygonMesh cut = repaired->mesh;
     EXPECT_EQ(join_equal_corners(cut), 0U) << count;
-    const auto graph = FacetGraph::build(cut);
-    ASSERT_TRUE(graph.ok()) << graph.error().text;
+    const auto graph = must(FacetGraph::build(cut));
     EXPECT_EQ(graph->component_count(), 1U);
   }
 }

@@ -1,4 +1,4 @@
-// What can be unfolded and what cannot, edges, angles of folds, and facets in the plane.
+// Facet graphs: what can be unfolded and what cannot, edges, angles of folds, and facets in the plane.
 
 #include "core/unfolding/facet_graph.hpp"
 
@@ -25,8 +25,7 @@ PolygonMesh three_at_an_edge() {
 
 TEST(FacetGraph, RefusalsNameTheElement) {
   const auto refused = FacetGraph::build(three_at_an_edge());
-  ASSERT_FALSE(refused.ok());
-  EXPECT_EQ(refused.error().code, e_edge_nonmanifold_or_flipped);
+  must_fail(refused, e_edge_nonmanifold_or_flipped);
   EXPECT_EQ(refused.error().element, element_of(EdgeId{{0}, {1}}));
   EXPECT_NE(refused.error().text.find("non-manifold edge: 3 facets share edge (0,1)"), std::string::npos);
 
@@ -35,8 +34,7 @@ TEST(FacetGraph, RefusalsNameTheElement) {
   crossed.add_face({1, 4, 2});
   crossed.add_face({0, 2, 1, 3});
   const auto bow = FacetGraph::build(crossed);
-  ASSERT_FALSE(bow.ok());
-  EXPECT_EQ(bow.error().code, e_facet_degenerate);
+  must_fail(bow, e_facet_degenerate);
   EXPECT_EQ(bow.error().element, element_of(FaceId{1}));
   EXPECT_NE(bow.error().text.find("facet 1 has no area, or crosses itself"), std::string::npos);
 
@@ -44,8 +42,7 @@ TEST(FacetGraph, RefusalsNameTheElement) {
   flat.positions = {{0, 0, 0}, {1, 1, 1}, {2, 2, 2}};
   flat.add_face({0, 1, 2});
   const auto degenerate = FacetGraph::build(flat);
-  ASSERT_FALSE(degenerate.ok());
-  EXPECT_EQ(degenerate.error().code, e_facet_degenerate);
+  must_fail(degenerate, e_facet_degenerate);
   EXPECT_NE(degenerate.error().text.find("degenerate facet 0 has zero area"), std::string::npos);
 
   PolygonMesh flipped;
@@ -77,23 +74,20 @@ TEST(FacetGraph, AllFaultsAreListed) {
 
 TEST(FacetGraph, FoldAnglesOfASolidAreMountains) {
   const PolygonMesh sphere = icosphere(0);
-  const auto graph = FacetGraph::build(sphere);
-  ASSERT_TRUE(graph.ok());
+  const auto graph = must(FacetGraph::build(sphere));
   EXPECT_EQ(graph->edge_count(), 30U);
   const double wanted = std::numbers::pi - std::acos(-std::sqrt(5.0) / 3);
   for (const FacetEdge& edge : graph->edges()) EXPECT_NEAR(edge.fold_angle, wanted, 1e-12);
   PolygonMesh hollow = sphere;
   for (std::size_t f = 0; f < hollow.face_count(); ++f)
     std::swap(hollow.face_vertices[3 * f], hollow.face_vertices[3 * f + 1]);
-  const auto inside_out = FacetGraph::build(hollow);
-  ASSERT_TRUE(inside_out.ok());
+  const auto inside_out = must(FacetGraph::build(hollow));
   for (const FacetEdge& edge : inside_out->edges()) EXPECT_NEAR(edge.fold_angle, -wanted, 1e-12);
 }
 
 TEST(FacetGraph, NeighboursAreMutual) {
   for_random(21, 20, [&](std::mt19937_64& rng) {
-    const auto graph = FacetGraph::build(random_sheet(rng));
-    ASSERT_TRUE(graph.ok());
+    const auto graph = must(FacetGraph::build(random_sheet(rng)));
     for (Index f = 0; f < graph->facet_count(); ++f)
       for (Index side = 0; side < 3; ++side) {
         const FacetEdge& edge = graph->edge(graph->edge_at(f, side));
@@ -111,8 +105,7 @@ TEST(FacetGraph, NeighboursAreMutual) {
 TEST(FacetLayout, AnyForestOfFoldsIsIsometric) {
   for_random(22, 40, [&](std::mt19937_64& rng) {
     const PolygonMesh mesh = random_sheet(rng);
-    const auto graph = FacetGraph::build(mesh);
-    ASSERT_TRUE(graph.ok());
+    const auto graph = must(FacetGraph::build(mesh));
     CheckedLayout checked;
     checked.scale = log_uniform(rng, 0.1, 100);
     Folds folds(graph->edge_count(), 0);

@@ -11,8 +11,7 @@
 namespace hariko::test {
 
 inline std::shared_ptr<const FacetGraph> shared_graph(const PolygonMesh& mesh) {
-  auto graph = FacetGraph::build(mesh);
-  EXPECT_TRUE(graph.ok()) << (graph.ok() ? "" : graph.error().text);
+  auto graph = must(FacetGraph::build(mesh));
   return std::make_shared<const FacetGraph>(std::move(graph).value());
 }
 

@@ -1,4 +1,4 @@
-// What files say: layout, layers, words; and that other programs draw the page as we describe it.
+// Files of sheets: layout, layers, words; and that other programs draw the page as we describe it.
 
 #include "core/unfolding/pages/write_sheets.hpp"
 #include "core/unfolding/cuts/convex_overlap.hpp"
@@ -9,7 +9,6 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <numbers>
-#include <set>
 #include <sstream>
 
 #include "core/base/files/file_io.hpp"

@@ -13,7 +13,7 @@ LEAVE_OUT = {"file.quit", "help.log"}
 
 
 def text_for(command):
-    """What to type: the label as far as a keyboard has it, else the help."""
+    """Text to type: the label as far as a keyboard has it, else the help."""
     label = "".join(c for c in command["label"] if ord(c) < 128).strip()
     return label if len(label) > 1 else command["help"]
 
@@ -30,18 +30,18 @@ def choose(window, command):
     window.wait_idle()  # the field takes letters from its second frame on
     window.xdotool("type", "--delay", "12", text_for(command))
     row = "palette." + command["id"]
-    window.wait(lambda: row in window.last("layout")["rects"], f"{command['id']} for {text_for(command)!r}")
+    window.wait(lambda: row in window.rects(), f"{command['id']} for {text_for(command)!r}")
     time.sleep(0.15)
     window.wait_idle()  # every letter has arrived
     mark = "palette.selected." + command["id"]
     end = time.monotonic() + 60  # letters arrive late on a busy machine
-    while mark not in window.last("layout")["rects"]:
+    while mark not in window.rects():
         check(time.monotonic() < end, f"the palette does not come to {command['id']} by {text_for(command)!r}")
-        rects = window.last("layout")["rects"]
+        rects = window.rects()
         selected = next((name for name in rects if name.startswith("palette.selected.")), None)
         keys(window, "Down")
         try:
-            window.wait(lambda: selected not in window.last("layout")["rects"], "the next row", seconds=2)
+            window.wait(lambda: selected not in window.rects(), "the next row", seconds=2)
         except Failure:
             pass  # the last letters of the text were on their way and moved the selection back
     before = window.count("command", id=command["id"])
@@ -51,7 +51,7 @@ def choose(window, command):
     check(outcome["ran"] or len(outcome["reason"]) > 8, f"{command['id']} neither ran nor said why not: {outcome}")
     # Dialogs, tools, notices and the palette of a refused command go.
     keys(window, "Escape", "Escape", "Escape", "Escape")
-    window.wait(lambda: "palette.input" not in window.last("layout")["rects"], "the palette to close")
+    window.gone("palette.input")
     return outcome["ran"]
 
 
@@ -69,7 +69,7 @@ def walk(window, prepare):
 def no_document(window):
     """The start page, whatever the last command did: New leaves an empty document, adding an unsaved one."""
     def shown(name):
-        return name in window.last("layout")["rects"]
+        return name in window.rects()
     if shown("viewport"):
         keys(window, "ctrl+w")
         window.wait(lambda: shown("prompt.discard") or not shown("viewport"), "the start page or a question")
@@ -82,16 +82,15 @@ def no_document(window):
 def full_document(window, model):
     """The document is open and everything in it is selected, whatever the last command did."""
     for _ in range(6):
-        if window.last("document")["position"] == 0:
+        if window.position() == 0:
             break
         keys(window, "ctrl+z")
         window.wait_idle()
-    shows = "viewport" in window.last("layout")["rects"] and (window.last("vertices") or {"objects": {}})["objects"]
+    shows = "viewport" in window.rects() and (window.last("vertices") or {"objects": {}})["objects"]
     if not shows:
         opened = window.count("opened")
-        window.key("ctrl+o")
-        window.type_path(model)
-        window.wait(lambda: window.count("opened") > opened or "prompt.discard" in window.last("layout")["rects"],
+        window.type_path(model, "ctrl+o")
+        window.wait(lambda: window.count("opened") > opened or "prompt.discard" in window.rects(),
                     "the model or a question")
         if window.count("opened") == opened:
             window.click_on("prompt.discard")
@@ -101,24 +100,18 @@ def full_document(window, model):
 
 def commands(program, source, output):
     with tempfile.TemporaryDirectory() as folder:
-        window = Window(program)
-        try:
+        with Window(program) as window:
             ids = {c["id"] for c in window.last("commands")["table"]}
             ran, refused = walk(window, lambda: no_document(window))
             # Without a document most commands cannot run.
             check("file.save" in refused and "file.open" in ran and "edit.undo" in refused, "on nothing: " + str(ran))
             check({"help.palette", "help.keys", "edit.preferences"} <= set(ran), "the helpers do not run")
-        finally:
-            window.close()
         model = shutil.copy(os.path.join(source, "assets", "samples", "car.hariko"), folder)
-        window = Window(program, model)
-        try:
+        with Window(program, model) as window:
             ran, refused = walk(window, lambda: full_document(window, model))
             check({"file.save", "select.all", "view.frame_all"} <= set(ran), "with a document: " + str(refused))
             # The language may have changed on the way: the table is the same.
             check({c["id"] for c in window.last("commands")["table"]} == ids, "the table changed")
-        finally:
-            window.close()
 
 
 run(commands)

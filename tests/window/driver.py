@@ -26,6 +26,16 @@ def check(condition, text):
         raise Failure(text)
 
 
+def start_server(width, height):
+    """An X server of its own, and the name of its display."""
+    read_end, write_end = os.pipe()
+    server = subprocess.Popen(["Xvfb", "-displayfd", str(write_end), "-screen", "0", f"{width}x{height}x24", "-nolisten", "tcp"],
+                              pass_fds=[write_end], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    os.close(write_end)
+    with os.fdopen(read_end) as pipe:
+        return server, ":" + pipe.readline().strip()
+
+
 class Window:
     """`home` is the folder of settings, state and cache; without one each window has its own. Give the same to
     several windows to restart a session or to run two side by side. A sample is copied first, as a file of the
@@ -36,6 +46,7 @@ class Window:
         self.log_path = os.path.join(self.folder, "log.jsonl")
         self.display_server = self.program = None
         self.events = []
+        self._saved_as = None
         self._log = None
         self._rest = b""
         self.home = home or os.path.join(self.folder, "home")
@@ -45,21 +56,20 @@ class Window:
             self.close()
             raise
 
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        self.close()
+
     def _own(self, file):
         shipped = os.path.basename(os.path.dirname(file)) == "samples"
         return shutil.copy(file, self.folder) if shipped else file
 
     def _start(self, program, files, size):
-        read_end, write_end = os.pipe()
-        self.display_server = subprocess.Popen(
-            ["Xvfb", "-displayfd", str(write_end), "-screen", "0",
-             f"{max(1600, size[0])}x{max(1000, size[1])}x24", "-nolisten", "tcp"],
-            pass_fds=[write_end], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-        os.close(write_end)
-        with os.fdopen(read_end) as pipe:
-            number = pipe.readline().strip()
-        check(number, "Xvfb did not start")
-        self.environment = dict(os.environ, DISPLAY=":" + number, XDG_CONFIG_HOME=os.path.join(self.home, "config"),
+        self.display_server, display = start_server(max(1600, size[0]), max(1000, size[1]))
+        check(display != ":", "Xvfb did not start")
+        self.environment = dict(os.environ, DISPLAY=display, XDG_CONFIG_HOME=os.path.join(self.home, "config"),
                                 XDG_STATE_HOME=os.path.join(self.home, "state"),
                                 XDG_CACHE_HOME=os.path.join(self.home, "cache"))
         self.errors = open(os.path.join(self.folder, "stderr.txt"), "w+")
@@ -77,7 +87,7 @@ class Window:
         check(done.returncode == 0, f"xdotool {arguments}: {done.stderr}")
         return done.stdout
 
-    # What the program says.
+    # The log, in which the program says what it does.
     def read(self):
         if self._log is None:
             if not os.path.exists(self.log_path):
@@ -114,7 +124,7 @@ class Window:
         raise Failure(f"timeout waiting for {what}; {picture}last events: {recent}")
 
     def _picture_of_failure(self):
-        """What the window showed when nothing more came; where it is, for the message."""
+        """Picture of the window when nothing more came; where it is, for the message."""
         path = os.path.join(sys.argv[3], "timeout_" + os.path.basename(sys.argv[0]).replace("_test.py", ".png"))
         try:
             self.screenshot(path)
@@ -129,12 +139,20 @@ class Window:
         """Until nothing is left to do: the last event of the log is `idle`, or nothing came after it."""
         self.wait(lambda: self.events and self.events[-1]["event"] == "idle", "idle")
 
+    def rects(self):
+        """Rectangles of everything that is marked now, by its name: left, top, width, height."""
+        return (self.last("layout") or {"rects": {}})["rects"]
+
     def rect(self, name):
-        self.wait(lambda: name in (self.last("layout") or {"rects": {}})["rects"], f"something called {name}")
-        return self.last("layout")["rects"][name]
+        self.wait(lambda: name in self.rects(), f"something called {name}")
+        return self.rects()[name]
+
+    def gone(self, name):
+        """Waits until nothing is called so."""
+        self.wait(lambda: name not in self.rects(), f"{name} to go")
 
     def resting_rect(self, name):
-        """Where something is once it has stopped moving: a hand does not click on what still moves."""
+        """Rectangle of something once it has stopped moving: a hand does not click on what still moves."""
         before, now = None, self.rect(name)
         while now != before:
             time.sleep(HOLD)
@@ -147,12 +165,37 @@ class Window:
         return x + width // 2, y + height // 2
 
     def vertex(self, vertex, object_id=1):
-        return self.last("vertices")["objects"][str(object_id)][str(vertex)]
+        return self.vertices(object_id)[str(vertex)]
 
     def nearest_vertex(self, object_id=1):
         """Id of the vertex nearest to the eye: nothing hides it."""
-        pixels = self.last("vertices")["objects"][str(object_id)]
+        pixels = self.vertices(object_id)
         return min(pixels, key=lambda v: pixels[v][2])
+
+    # The document: its last step, what is selected in it, and its vertices.
+    def position(self):
+        return self.last("document")["position"]
+
+    def label(self):
+        return self.last("document")["label"]
+
+    def selection(self):
+        return self.last("document")["selection"]
+
+    def vertices(self, object_id=1):
+        return self.last("vertices")["objects"][str(object_id)]
+
+    def step(self, label=None, position=None):
+        """Waits for the end of a step, by its label, its number or both, and until all rests; its number."""
+        def reached():
+            now = self.last("document")
+            return (not now["gesture"] and label in (None, now["label"]) and position in (None, now["position"]))
+        self.wait(reached, f"the step {label or ''} {'' if position is None else position}")
+        self.wait_idle()
+        return self.position()
+
+    def selected(self, text):
+        self.wait(lambda: self.selection() == text, "this selection: " + text)
 
     # Hands. What is sent is waited for, so that the log speaks of what came after it.
     def send(self, counted, changes, *arguments):
@@ -185,18 +228,6 @@ class Window:
         self.press()
         self.release()
 
-    def bring_up(self, name, at=(1100, 600), bottom=740):
-        """Turns the wheel over a panel until a thing that is below its end can be seen."""
-        self.arrive(*at)
-        for _ in range(30):
-            x, y, width, height = self.rect(name)
-            if y + height < bottom:
-                return
-            self.press(5)
-            self.release(5)
-            self.wait_idle()
-        check(False, f"{name} does not come up")
-
     def click_on(self, name):
         """Clicks where the thing is once it rests: two frames after all that came before."""
         at = None
@@ -216,14 +247,99 @@ class Window:
             before_release()
         self.release(button)
 
+    def drag_vertex(self, vertex, by, **options):
+        x, y, _ = self.vertex(vertex)
+        self.drag((x, y), (x + by[0], y + by[1]), **options)
+
+    def slide(self, slider, **options):
+        """Drags a slider from its left end to six tenths of its way."""
+        left, top, width, height = self.rect(slider)
+        self.drag((left + 8, top + height / 2), (left + width * 0.6, top + height / 2), **options)
+
     def key(self, chord):
         self.send("keys", 2 * len(chord.split("+")), "key", "--delay", "60", chord)
 
     def type(self, text):
         self.send("keys", 2 * len(text), "type", "--delay", "40", "--", text)
 
-    def type_path(self, path):
-        """Fills in the file dialog and accepts it."""
+    def keys(self, *chords):
+        for chord in chords:
+            self.key(chord)
+
+    def undo(self, steps=1):
+        for _ in range(steps):
+            before = self.position()
+            self.key("ctrl+z")
+            self.step(position=before - 1)
+
+    def redo(self, steps=1):
+        for _ in range(steps):
+            before = self.position()
+            self.key("ctrl+shift+z")
+            self.step(position=before + 1)
+
+    def enter(self, name, text, end="Return"):
+        """Types over what a field holds."""
+        self.click_on(name)
+        self.key("ctrl+a")
+        self.type(text)
+        self.key(end)
+
+    def pick_of(self, field, ending):
+        """An item of a list in a dialog."""
+        self.click_on(field)
+        self.click_on(field + ending)
+        self.gone(field + ending)
+
+    def choose(self, menu, *items):
+        """Goes through a menu."""
+        self.click_on("menu." + menu)
+        for item in items:
+            self.click_on(item)
+
+    def pick(self, combo, number):
+        """An item of a list in the properties."""
+        self.click_on("combo." + combo)
+        self.click_on(f"choice.{combo}.{number}")
+
+    def run_by_name(self, words, command=None, keys="F3"):
+        """Runs what the palette finds, which has to be the command."""
+        self.key(keys)
+        self.rect("palette.input")
+        self.wait_idle()  # the field takes letters from its second frame on
+        self.type(words)
+        if command:
+            self.rect("palette.selected." + command)
+        self.wait_idle()
+        self.key("Return")
+
+    def save_as(self, path):
+        saved = self.count("saved")
+        self.type_path(path, "ctrl+shift+s")
+        self.wait_event("saved", saved)
+        self.wait_idle()
+        self._saved_as = path
+
+    def saved(self, path):
+        """The document as a file has it. The name is typed once: a dialog takes seconds."""
+        if self._saved_as == path:
+            saved = self.count("saved")
+            self.key("ctrl+s")
+            self.wait_event("saved", saved)
+            self.wait_idle()
+        else:
+            self.save_as(path)
+        with open(path, encoding="utf-8") as file:
+            return json.load(file)
+
+    def until_opened(self):
+        self.wait_event("opened", 0)
+        self.wait_idle()
+
+    def type_path(self, path, opening=None):
+        """Fills in the file dialog and accepts it; `opening`: the keys that open it first."""
+        if opening:
+            self.key(opening)
         self.rect("dialog.name")
         time.sleep(0.3)
         self.key("ctrl+a")

@@ -28,31 +28,27 @@ def session(program, source, output):
         junk = os.path.join(folder, "holiday.jpg")
         with open(junk, "wb") as file:
             file.write(bytes(range(256)) * 20)
-        window = Window(program)
-        try:
+        with Window(program) as window:
             drop(window, output, model)
-            window.wait_event("opened", 0)
-            window.wait_idle()
+            window.until_opened()
             drop(window, output, mesh)
             window.wait_event("imported", 0)
-            window.wait(lambda: window.last("document")["position"] == 1, "the step of the import")
+            window.wait(lambda: window.position() == 1, "the step of the import")
             check("2" in window.last("vertices")["objects"], "the mesh did not become an object")
             notices = window.count("notice")
             drop(window, output, junk)
             window.wait(lambda: window.count("notice") > notices and window.last("notice")["text"], "the reason")
-            check(window.last("document")["position"] == 1, "junk changed the document")
+            check(window.position() == 1, "junk changed the document")
             # The import is unsaved: another document must not replace it silently.
             drop(window, output, os.path.join(source, "assets", "samples", "torus.hariko"))
             window.rect("prompt.discard")
             check(window.count("opened") == 1, "the document was replaced without a question")
             window.click_on("prompt.cancel")
             window.wait_idle()
-            check(window.last("document")["position"] == 1, "Cancel lost the document")
+            check(window.position() == 1, "Cancel lost the document")
             drop(window, output, os.path.join(source, "assets", "samples", "torus.hariko"))
             window.click_on("prompt.discard")
             window.wait_event("opened", 1)
-        finally:
-            window.close()
 
 
 run(session)

@@ -1,4 +1,4 @@
-"""What goes wrong is said and harms nothing: no display, a broken file, a place that cannot be written."""
+"""Failures are said and harm nothing: no display, a broken file, a place that cannot be written."""
 
 import os
 import subprocess
@@ -18,24 +18,18 @@ def session(program, source, output):
         broken = os.path.join(folder, "broken.hariko")
         with open(broken, "w", encoding="ascii") as file:
             file.write('{"hariko": ')
-        window = Window(program, broken)
-        try:
+        with Window(program, broken) as window:
             window.wait(lambda: window.last("notice") is not None and window.last("notice")["text"], "the message")
             check(window.count("opened") == 0, "a broken file was opened")
             window.key("Escape")
             window.key("ctrl+s")  # nothing is open: it says so
             window.wait(lambda: "Nothing is open" in (window.last("cursor") or {"text": ""})["text"], "the reason")
-            window.key("ctrl+o")
-            window.type_path(os.path.join(source, "assets", "samples", "cube.hariko"))
-            window.wait_event("opened", 0)
-            window.wait_idle()
-            window.key("ctrl+shift+s")
-            window.type_path("/proc/nowhere.hariko")
+            window.type_path(os.path.join(source, "assets", "samples", "cube.hariko"), "ctrl+o")
+            window.until_opened()
+            window.type_path("/proc/nowhere.hariko", "ctrl+shift+s")
             window.wait(lambda: window.count("notice") >= 3 and window.last("notice")["text"], "the message on saving")
             check(window.count("saved") == 0, "saved into a place that cannot be written")
             check(window.quit() == 0, "the program did not end well")
-        finally:
-            window.close()
 
 
 run(session)

@@ -8,33 +8,16 @@ import tempfile
 from driver import Window, check, run
 
 
-def steps(window):
-    return window.last("document")["position"]
-
-
-def wait_step(window, position, what):
-    window.wait(lambda: steps(window) == position and not window.last("document")["gesture"], "the step: " + what)
-    window.wait_idle()
-
-
-def save_as(window, path):
-    saved = window.count("saved")
-    window.key("ctrl+shift+s")
-    window.type_path(path)
-    window.wait_event("saved", saved)
-    window.wait_idle()
+def saved_as(window, path):
+    """Contents of the file then."""
+    window.save_as(path)
     with open(path, "rb") as file:
         return file.read()
 
 
-def center(window):
-    x, y, width, height = window.rect("viewport")
-    return x + width // 2, y + height // 2
-
-
 def click_top_face(window):
     """Points at the middle of the face on top, seen from above."""
-    pixels = window.last("vertices")["objects"]["1"]
+    pixels = window.vertices()
     near = sorted(pixels.values(), key=lambda pixel: pixel[2])[:4]
     window.click(sum(p[0] for p in near) / 4, sum(p[1] for p in near) / 4)
 
@@ -42,33 +25,26 @@ def click_top_face(window):
 def session(program, source, output):
     del source
     with tempfile.TemporaryDirectory() as folder:
-        window = Window(program)
-        try:
+        with Window(program) as window:
             window.click_on("start.polyhedron")
             window.wait(lambda: window.last("vertices") is not None, "the box")
             window.wait_idle()
-            first = save_as(window, os.path.join(folder, "first.hariko"))
-            position = steps(window)
+            first = saved_as(window, os.path.join(folder, "first.hariko"))
+            position = window.position()
 
             window.key("KP_7")  # from above: the top face is under the middle
             window.wait_idle()
             window.key("3")
             click_top_face(window)
-            window.wait(lambda: window.last("document")["selection"] == "1 face", "the selected face")
+            window.selected("1 face")
             window.key("e")
-            window.move(*center(window))
-            window.key("5")
-            window.key("Return")
-            position += 1
-            wait_step(window, position, "extrude")
-            check(len(window.last("vertices")["objects"]["1"]) == 12, "extruding made no new vertices")
+            window.move(*window.center("viewport"))
+            window.keys("5", "Return")
+            position = window.step(position=position + 1)
+            check(len(window.vertices()) == 12, "extruding made no new vertices")
 
-            window.key("g")
-            window.key("x")
-            window.key("3")
-            window.key("Return")
-            position += 1
-            wait_step(window, position, "move")
+            window.keys("g", "x", "3", "Return")
+            position = window.step(position=position + 1)
 
             window.key("KP_0")
             window.wait_idle()
@@ -77,58 +53,44 @@ def session(program, source, output):
             window.key("1")
             vertex = window.nearest_vertex()
             window.click(*window.vertex(vertex)[:2])
-            window.wait(lambda: window.last("document")["selection"] == "1 vertex", "the selected vertex")
-            window.key("t")
-            window.key("4")
-            window.key("Return")
-            position += 1
-            wait_step(window, position, "tension")
+            window.selected("1 vertex")
+            window.keys("t", "4", "Return")
+            position = window.step(position=position + 1)
 
             window.key("ctrl+shift+a")  # the gizmo at the vertex would cover the edge
-            window.wait(lambda: window.last("document")["selection"] == "nothing selected", "nothing selected")
+            window.selected("nothing selected")
             window.key("2")
             a = window.vertex(vertex)
-            others = [p for v, p in window.last("vertices")["objects"]["1"].items() if v != vertex]
+            others = [p for v, p in window.vertices().items() if v != vertex]
             b = min(others, key=lambda p: p[2] + 1e-3 * abs(p[0] - a[0]))
             window.click((a[0] + b[0]) / 2, (a[1] + b[1]) / 2)
-            window.wait(lambda: window.last("document")["selection"].endswith("edge"), "the selected edge")
+            window.wait(lambda: window.selection().endswith("edge"), "the selected edge")
             window.key("c")
-            position += 1
-            wait_step(window, position, "crease")
+            position = window.step(position=position + 1)
             window.screenshot(os.path.join(output, "first_session_model.png"))
 
-            window.key("F3")
-            window.type("zebra")
-            window.key("Return")
-            wait_step(window, position, "zebra, which is a way of looking and no step")
+            window.run_by_name("zebra")
+            window.step(position=position)  # zebra is a way of looking and no step
             window.screenshot(os.path.join(output, "first_session_zebra.png"))
 
-            last = save_as(window, os.path.join(folder, "last.hariko"))
+            last = saved_as(window, os.path.join(folder, "last.hariko"))
             check(last != first, "the session changed nothing")
             exported = os.path.join(folder, "last.obj")
             window.key("ctrl+e")
             window.rect("export.distance")
-            window.wait_event("export_counted", 0)  # how many triangles there will be, before they are written
+            window.wait_event("export_counted", 0)  # the number of triangles, before they are written
             window.wait_idle()
             window.screenshot(os.path.join(output, "first_session_export.png"))
             window.type_path(exported)
             window.wait_event("exported", 0)
             check(os.path.getsize(exported) > 1000, "the export is empty")
 
-            while steps(window) > 0:
-                before = steps(window)
-                window.key("ctrl+z")
-                window.wait(lambda before=before: steps(window) < before, "undo")
-            while steps(window) < position:
-                before = steps(window)
-                window.key("ctrl+shift+z")
-                window.wait(lambda before=before: steps(window) > before, "redo")
-            again = save_as(window, os.path.join(folder, "again.hariko"))
+            window.undo(position)
+            window.redo(position)
+            again = saved_as(window, os.path.join(folder, "again.hariko"))
             check(again == last, "undoing and redoing everything gave another document")
             check(json.loads(again)["objects"], "the document is empty")
             check(window.quit() == 0, "the program did not end well")
-        finally:
-            window.close()
 
 
 run(session)

@@ -11,12 +11,10 @@ def shot(window, output, name):
 
 
 def session(program, source, output):
-    window = Window(program, size=(1024, 700))
-    try:
+    with Window(program, size=(1024, 700)) as window:
         before = window.rect("menu.File")
-        window.click_on("menu.Help")
-        window.click_on("command.help.japanese")
-        window.wait(lambda: window.last("layout")["rects"]["menu.File"] != before, "menus of another width")
+        window.choose("Help", "command.language.japanese")
+        window.wait(lambda: window.rects()["menu.File"] != before, "menus of another width")
         shot(window, output, "ja_start.png")
         for menu in ("File", "Edit", "Select", "View", "Help"):
             window.click_on("menu." + menu)
@@ -25,8 +23,7 @@ def session(program, source, output):
             window.wait_idle()
 
         window.click_on("sample.cube_crease.hariko")
-        window.wait_event("opened", 0)
-        window.wait_idle()
+        window.until_opened()
         shot(window, output, "ja_objects.png")
         window.click_on("section.placement")
         shot(window, output, "ja_placement.png")
@@ -35,7 +32,7 @@ def session(program, source, output):
         window.click(x, y)
         shot(window, output, "ja_vertex.png")
         window.drag((x, y), (x + 30, y + 30))
-        window.wait(lambda: window.last("document")["position"] == 1, "a step")
+        window.wait(lambda: window.position() == 1, "a step")
         window.click_on("section.history")
         shot(window, output, "ja_history.png")
         window.key("ctrl+e")
@@ -50,13 +47,10 @@ def session(program, source, output):
         window.wait_idle()
 
         # And back.
-        window.click_on("menu.Help")
-        window.click_on("command.help.english")
-        window.wait(lambda: window.last("layout")["rects"]["menu.File"] == before, "menus of the first width")
+        window.choose("Help", "command.language.english")
+        window.wait(lambda: window.rects()["menu.File"] == before, "menus of the first width")
         shot(window, output, "en_again.png")
-        check(window.last("document")["position"] == 1, "the language is no step of the document")
-    finally:
-        window.close()
+        check(window.position() == 1, "the language is no step of the document")
 
 
 run(session)

@@ -36,8 +36,8 @@ def act(window, rng, size):
     elif kind < 0.75:
         window.type(rng.choice(TEXTS))
     elif kind < 0.8:
-        # Where something was, whatever is there now; a row that is scrolled away is nowhere.
-        rects = window.last("layout")["rects"]
+        # A place where something was, whatever is there now; a row that is scrolled away is nowhere.
+        rects = window.rects()
         left, top, width, height = rects[rng.choice(sorted(rects))]
         at = left + width // 2, top + height // 2
         if 0 <= at[0] < size[0] and 0 <= at[1] < size[1]:

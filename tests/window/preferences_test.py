@@ -21,14 +21,13 @@ def keys_of(window, command):
     return next(c["keys"] for c in window.last("commands")["table"] if c["id"] == command)
 
 
-def record(window, slot, chord):
-    window.click_on(slot)
+def record(window, chord):
+    window.click_on("preferences.key.shape.crease.0")
     window.key(chord)
 
 
 def preferences(program, source, output):
-    window = Window(program, os.path.join(source, "assets", "samples", "cube.hariko"))
-    try:
+    with Window(program, os.path.join(source, "assets", "samples", "cube.hariko")) as window:
         window.key("ctrl+comma")
         picture = os.path.join(output, "preferences.png")
 
@@ -55,33 +54,31 @@ def preferences(program, source, output):
         window.click_on("preferences.search")
         window.type("crease")
         # The row moves up when the others go.
-        window.wait(lambda: "preferences.key.mesh.knife.0" not in window.last("layout")["rects"], "the rows found")
-        record(window, "preferences.key.shape.crease.0", "F8")
+        window.gone("preferences.key.mesh.knife.0")
+        record(window, "F8")
         window.wait(lambda: keys_of(window, "shape.crease") == "F8", "F8 for Crease")
         # One that another command has: nothing changes before it is decided.
-        record(window, "preferences.key.shape.crease.0", "k")
+        record(window, "k")
         window.rect("preferences.conflict")
         check(keys_of(window, "mesh.knife") == "K" and keys_of(window, "shape.crease") == "F8",
               "the keys changed before the conflict was decided")
         window.click_on("preferences.keep")
-        window.wait(lambda: "preferences.conflict" not in window.last("layout")["rects"], "the question to go")
+        window.gone("preferences.conflict")
         check(keys_of(window, "shape.crease") == "F8", "Cancel changed the key")
-        record(window, "preferences.key.shape.crease.0", "k")
+        record(window, "k")
         window.click_on("preferences.replace")
         window.wait(lambda: keys_of(window, "shape.crease") == "K" and keys_of(window, "mesh.knife") == "",
                     "K for Crease instead of Corner")
         # Esc while a key is awaited leaves everything.
-        record(window, "preferences.key.shape.crease.0", "Escape")
-        check(keys_of(window, "shape.crease") == "K" and "preferences" in window.last("layout")["rects"],
+        record(window, "Escape")
+        check(keys_of(window, "shape.crease") == "K" and "preferences" in window.rects(),
               "Esc did more than to stop recording")
-        window.key("Escape")
-        window.key("Escape")
-        window.wait(lambda: "preferences" not in window.last("layout")["rects"], "the window to close")
+        window.keys("Escape", "Escape")
+        window.gone("preferences")
 
         # It works: K creases, C does nothing.
         count = window.count("command", id="shape.crease")
-        window.key("c")
-        window.key("k")
+        window.keys("c", "k")
         window.wait(lambda: window.count("command", id="shape.crease") == count + 1, "K to crease")
         check(window.last("cursor")["text"], "a refused key did not say why")
 
@@ -109,8 +106,6 @@ def preferences(program, source, output):
         window.click_on("preferences.reset")
         window.wait(lambda: keys_of(window, "shape.crease") == "C" and keys_of(window, "mesh.knife") == "K",
                     "the default keys")
-    finally:
-        window.close()
 
 
 run(preferences)

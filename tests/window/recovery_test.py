@@ -55,9 +55,9 @@ def read(path):
 
 def edit(window):
     """One step: another object in the document."""
-    before = window.last("document")["position"]
+    before = window.position()
     window.key("ctrl+d")
-    window.wait(lambda: window.last("document")["position"] == before + 1 and window.last("document")["dirty"], "the step")
+    window.wait(lambda: window.position() == before + 1 and window.last("document")["dirty"], "the step")
 
 
 def edit_and_autosave(window):
@@ -76,14 +76,6 @@ def answer(window, name):
     window.click_on(name)
 
 
-def save_as(window, path):
-    seen = window.count("saved")
-    window.key("ctrl+shift+s")
-    window.type_path(path)
-    window.wait_event("saved", seen)
-    window.wait_idle()
-
-
 def crash_and_recover(program, model, folder, output):
     """Kills the program with work in a file and with work that was never saved."""
     home = os.path.join(folder, "crash")
@@ -92,8 +84,7 @@ def crash_and_recover(program, model, folder, output):
     with opened(program, model, home=home) as window:
         edit(window)
         edit_and_autosave(window)
-        window.key("ctrl+alt+s")
-        window.type_path(committed)
+        window.type_path(committed, "ctrl+alt+s")
         window.wait_event("copied", 0)
         window.wait_idle()
         check(window.last("document")["dirty"], "saving a copy made the document count as saved")
@@ -132,7 +123,7 @@ def report_of_a_crash(program, model, folder, output):
         window.program.wait(timeout=20)
         window.errors.seek(0)
         if "AddressSanitizer" in window.errors.read():
-            return  # which reports crashes itself
+            return  # the sanitizer reports crashes itself
         report = read(os.path.join(state, f"crash-{window.program.pid}.txt")).decode()
     for part in ("hariko crashed: SEGV\n", " UTC\n", "\nHariko ", "\nOpenGL ", "\nDear ImGui "):
         check(part in report, f"the report does not say {part!r}: {report}")
@@ -147,8 +138,8 @@ def report_of_a_crash(program, model, folder, output):
         window.wait_idle()
         window.screenshot(os.path.join(output, "crash_start_page.png"))
         answer(window, "crash.dismiss")
-        window.wait(lambda: "crash.dismiss" not in window.last("layout")["rects"], "the report to go")
-        check("recovery.recover" in window.last("layout")["rects"], "the work went with the report")
+        window.gone("crash.dismiss")
+        check("recovery.recover" in window.rects(), "the work went with the report")
         check(os.path.exists(os.path.join(state, "crash.txt")), "the report that was seen is not kept")
         check(window.quit() == 0, "the program did not end well")
     check(b" end 0\n" in read(os.path.join(state, "log.txt")), "the log does not know that the program ended well")
@@ -177,7 +168,7 @@ def signals(program, model, folder, output):
             window.wait_event("recovered", 0)
             window.wait_idle()
             saved = os.path.join(folder, name + ".hariko")
-            save_as(window, saved)
+            window.save_as(saved)
             with open(saved, encoding="utf-8") as file:
                 check(len(json.load(file)["objects"]) == 4, f"{name}: the last steps are not in the recovered document")
             check(window.quit() == 0, "the program did not end well")

@@ -7,32 +7,26 @@ import os
 import subprocess
 import tempfile
 
-from driver import Window, check, run
+from driver import Window, check, run, start_server
 
 
 def record(program, sample, recording, saved):
     """Drags vertices, sets a tension, undoes, saves over the copy that was opened."""
-    window = Window(program, "--record", recording, sample)
-    try:
+    with Window(program, "--record", recording, sample) as window:
         for by in ((50, 30), (-35, 45)):
-            x, y, _ = window.vertex(window.nearest_vertex())
-            window.drag((x, y), (x + by[0], y + by[1]))
+            window.drag_vertex(window.nearest_vertex(), by)
             window.wait_idle()
-        left, top, width, height = window.rect("slider.alpha")
-        window.drag((left + 8, top + height / 2), (left + width * 0.6, top + height / 2))
+        window.slide("slider.alpha")
         window.wait_idle()
         window.key("ctrl+alt+q")
         window.wait_idle()
         x, y = window.center("view.2")
         window.drag((x, y), (x + 40, y + 10), button=2)
-        window.key("ctrl+z")
-        window.wait(lambda: window.last("document")["position"] == 2, "undo")
+        window.undo()
         window.key("ctrl+s")
         window.wait_event("saved", 0)
         window.wait_idle()
         check(window.quit() == 0, "the recorded session did not end well")
-    finally:
-        window.close()
     with open(sample, encoding="utf-8") as file:
         text = file.read()
     os.rename(sample, saved)
@@ -41,51 +35,36 @@ def record(program, sample, recording, saved):
 
 def record_from_menu(program, sample, recording):
     """Changes the document and the look of things first; records an undo to where the recording began."""
-    window = Window(program, sample)
-    try:
-        x, y, _ = window.vertex(window.nearest_vertex())
-        window.drag((x, y), (x + 40, y + 25))
-        window.wait(lambda: window.last("document")["position"] == 1, "the first step")
+    with Window(program, sample) as window:
+        window.drag_vertex(window.nearest_vertex(), (40, 25))
+        window.wait(lambda: window.position() == 1, "the first step")
         window.key("3")
         window.drag(window.center("viewport"), tuple(c + 60 for c in window.center("viewport")), button=2)
-        window.click_on("menu.Help")
-        window.click_on("command.help.record")
+        window.choose("Help", "command.help.record")
         window.type_path(recording)
         window.wait_event("recording", 0)
         window.wait_idle()
-        check(window.last("document")["position"] == 0, "the recording can be undone to before its beginning")
-        x, y, _ = window.vertex(window.nearest_vertex())
-        window.drag((x, y), (x - 45, y + 30))
-        window.wait(lambda: window.last("document")["position"] == 1, "the recorded step")
+        check(window.position() == 0, "the recording can be undone to before its beginning")
+        window.drag_vertex(window.nearest_vertex(), (-45, 30))
+        window.wait(lambda: window.position() == 1, "the recorded step")
         window.key("ctrl+z")
         window.key("ctrl+z")  # there is nothing to undo beyond the beginning
         window.key("ctrl+shift+z")
-        window.wait(lambda: window.last("document")["position"] == 1, "the step again")
-        left, top, width, height = window.rect("slider.alpha")
-        window.drag((left + 8, top + height / 2), (left + width * 0.6, top + height / 2))
-        window.wait(lambda: window.last("document")["position"] == 2, "the tension")
-        window.wait_idle()
+        window.wait(lambda: window.position() == 1, "the step again")
+        window.slide("slider.alpha")
+        window.step(position=2)
         window.click_on("status.stop_recording")
         window.wait_event("recorded", 0)
-        window.wait(lambda: window.last("document")["position"] == 3, "the steps from before the recording")
+        window.wait(lambda: window.position() == 3, "the steps from before the recording")
         window.key("ctrl+q")
-        window.rect("prompt.discard")
-        window.wait_idle()
         window.click_on("prompt.discard")
         check(window.program.wait(timeout=20) == 0, "the session did not end well")
-    finally:
-        window.close()
 
 
 def play(program, recording, folder):
     """Exit code and error output of a replay in a window of its own."""
-    read_end, write_end = os.pipe()
-    server = subprocess.Popen(["Xvfb", "-displayfd", str(write_end), "-screen", "0", "1600x1000x24", "-nolisten", "tcp"],
-                              pass_fds=[write_end], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-    os.close(write_end)
+    server, display = start_server(1600, 1000)
     try:
-        with os.fdopen(read_end) as pipe:
-            display = ":" + pipe.readline().strip()
         environment = dict(os.environ, DISPLAY=display)
         for name in ("CONFIG", "STATE", "CACHE", "DATA"):
             environment[f"XDG_{name}_HOME"] = os.path.join(folder, name.lower())

@@ -7,35 +7,29 @@ from driver import Window, check, run
 
 def session(program, source, output):
     del source
-    window = Window(program, size=(1024, 700))
-    try:
+    with Window(program, size=(1024, 700)) as window:
         window.screenshot(os.path.join(output, "start_page.png"))
         check(window.count("first_frame") == 1, "the first frame was not measured once")
 
         # By keys: the drawing of an outline begins, and Close leads back.
-        for key in ("Tab", "Tab", "Right", "Right", "Right", "Return"):
-            window.key(key)
-        window.wait(lambda: "viewport" in window.last("layout")["rects"], "the outline to be drawn")
+        window.keys("Tab", "Tab", "Right", "Right", "Right", "Return")
+        window.wait(lambda: "viewport" in window.rects(), "the outline to be drawn")
         window.key("Escape")
         window.wait_idle()
         window.key("ctrl+w")
-        window.wait(lambda: "viewport" not in window.last("layout")["rects"], "the start page again")
+        window.gone("viewport")
         window.wait_idle()
         window.click_on("sample.cube_crease.hariko")
-        window.wait_event("opened", 0)
-        window.wait_idle()
+        window.until_opened()
 
         # The Gaussian map, from its combo box.
-        window.click_on("combo.map")
-        window.click_on("choice.map.3")
-        window.wait(lambda: window.last("document")["label"] == "Map Gaussian curvature", "the step of the map")
-        window.wait_idle()
+        window.pick("map", 3)
+        window.step("Map Gaussian curvature")
         window.screenshot(os.path.join(output, "gauss_map.png"))
 
         # A menu: undo from there.
-        window.click_on("menu.Edit")
-        window.click_on("command.edit.undo")
-        window.wait(lambda: window.last("document")["position"] == 0, "undo from the menu")
+        window.choose("Edit", "command.edit.undo")
+        window.wait(lambda: window.position() == 0, "undo from the menu")
 
         # Orbit and zoom change the picture and not the document.
         x, y = window.center("viewport")
@@ -44,22 +38,20 @@ def session(program, source, output):
         window.xdotool("click", "4")
         window.wait_idle()
         check(window.last("vertices") != before, "neither orbit nor zoom did anything")
-        check(window.last("document")["position"] == 0, "the camera got into the history")
+        check(window.position() == 0, "the camera got into the history")
         window.key("Home")
 
         # Delete, then try to leave: the question comes; Esc stays, Discard leaves.
         window.key("Delete")
-        window.wait(lambda: window.last("document")["label"] == "Delete object", "the deletion")
+        window.wait(lambda: window.label() == "Delete object", "the deletion")
         window.key("ctrl+q")
         window.rect("prompt.cancel")
         window.key("Escape")
-        window.wait(lambda: "prompt.cancel" not in window.last("layout")["rects"], "the prompt to go")
+        window.gone("prompt.cancel")
         check(window.program.poll() is None, "Esc at the prompt ended the program")
         window.key("ctrl+q")
         window.click_on("prompt.discard")
         check(window.program.wait(timeout=20) == 0, "Discard did not end the program well")
-    finally:
-        window.close()
 
 
 run(session)

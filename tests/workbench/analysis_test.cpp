@@ -1,7 +1,5 @@
 // Analysis as a way of looking: for every kind of object, for all at once, and no edit.
 
-#include <gtest/gtest.h>
-
 #include <set>
 
 #include "core/document/edits/edits.hpp"
@@ -22,9 +20,7 @@ Document sample_document(const std::string& name) {
 /// A sphere of a radius as a polyhedron scaled by the object.
 Document two_cubes() {
   Document document = document_from_mesh(test::cube(), "Small").value();
-  Similarity far;
-  far.translation = {8, 0, 0};
-  far.scale = 2;
+  Similarity far{.scale = 2, .translation = {8, 0, 0}};
   auto added = add_object(document, "Large", document.objects[0]->source);
   const ObjectId id = added->document.objects.back()->id;
   return set_transform(added->document, id, far).value();

@@ -1,22 +1,15 @@
 // Arranging whole objects by hand: rows, rings, mirror images, copies that are moved at once, common sides,
 // and steps that are made again.
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
-#include <cmath>
 
-#include "core/document/edits/edits.hpp"
 #include "core/document/object_box.hpp"
-#include "tests/support/random_polyhedra.hpp"
+#include "tests/workbench/bench_hands.hpp"
 #include "tests/workbench/program_hands.hpp"
 #include "ui/editor/object_size.hpp"
 
-namespace hariko {
+namespace hariko::test {
 namespace {
-
-using test::HeadlessWorkbench;
-using test::ProgramHands;
 
 class ARow : public ::testing::Test, protected ProgramHands {
  protected:
@@ -57,37 +50,14 @@ TEST_F(ARow, OfTwentyBoxesTakesAtMostTwelveActions) {
   EXPECT_EQ(objects().size(), 20U);
 }
 
-class Arranging : public ::testing::Test {
+class Arranging : public BenchHands {
  protected:
-  const std::map<std::string, Marks::Rect>& marks() { return bench_.workbench().marks().all(); }
-  Editor& editor() { return bench_.editor(); }
-  const std::vector<std::shared_ptr<const Object>>& objects() { return editor().document().objects; }
-  void run(std::string_view id) {
-    const auto outcome = bench_.workbench().commands().run(id);
-    ASSERT_TRUE(outcome.ran) << id << ": " << outcome.reason;
-    for (int i = 0; i < 4; ++i) bench_.frame();
-  }
-  void enter(const std::string& field, std::string_view text) {
-    bench_.click("field." + field);
-    bench_.frame();
-    bench_.type(text);
-    bench_.tap("Enter");
-    for (int i = 0; i < 3; ++i) bench_.frame();
-  }
-  void choose(const std::string& list, int number) {
-    bench_.click("combo." + list);
-    for (int i = 0; i < 3; ++i) bench_.frame();
-    bench_.click("choice." + list + "." + std::to_string(number));
-    for (int i = 0; i < 3; ++i) bench_.frame();
-  }
   void move_active(const Vector3& to) {
     Similarity place;
     place.translation = to;
     editor().commit(set_transform(editor().history.current(), editor().selection.active, place), "Place");
   }
   Vector3 place(std::size_t object) { return objects()[object]->transform.translation; }
-
-  HeadlessWorkbench bench_{document_from_mesh(test::prism(4), "Box").value(), {1280, 1000}};
 };
 
 TEST_F(Arranging, ARowOfARowIsAGrid) {
@@ -367,4 +337,4 @@ TEST_F(Repeating, StepsThatCannotBeRepeatedAreNotMistakenForOthers) {
 }
 
 }  // namespace
-}  // namespace hariko
+}  // namespace hariko::test

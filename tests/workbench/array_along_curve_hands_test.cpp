@@ -1,41 +1,31 @@
 // Copies along curves by hand: along selected edges, straight or over a surface, and along the path of a
 // skin.
 
-#include <gtest/gtest.h>
-
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "core/document/edits/edits.hpp"
-#include "tests/support/random_polyhedra.hpp"
-#include "tests/workbench/headless_workbench.hpp"
+#include "tests/workbench/bench_hands.hpp"
 
-namespace hariko {
+namespace hariko::test {
 namespace {
-
-using test::HeadlessWorkbench;
 
 /// A box of 2, and a rail: a box of 20 whose edges are the curves.
 Document post_and_rail(bool surface) {
   Document document = document_from_mesh(test::cube(), "Post").value();
   const auto rail =
       add_object(document, "Rail", PolyhedronSource::from_mesh(test::cube()).value(), {}).value();
-  Similarity place;
-  place.scale = 10;
+  Similarity place{.scale = 10};
   document = set_transform(rail.document, rail.id, place).value();
   DisplaySettings display = document.find(rail.id)->display;
   display.surface = surface;
   return set_display(document, rail.id, display).value();
 }
 
-class AlongACurve : public ::testing::Test {
+class AlongACurve : public BenchHands {
  protected:
-  explicit AlongACurve(Document document = post_and_rail(false))
-      : bench_(std::move(document), {1280, 1000}) {}
+  explicit AlongACurve(Document document = post_and_rail(false)) : BenchHands(std::move(document)) {}
 
-  Editor& editor() { return bench_.editor(); }
-  const std::vector<std::shared_ptr<const Object>>& objects() { return editor().document().objects; }
   const Similarity& placed(std::size_t object) { return objects()[object]->transform; }
   Vector3 place(std::size_t object) { return placed(object).translation; }
   const Object& named(const std::string& name) {
@@ -44,26 +34,10 @@ class AlongACurve : public ::testing::Test {
     ADD_FAILURE() << name;
     return *objects().front();
   }
-  void frames(int count) {
-    for (int i = 0; i < count; ++i) bench_.frame();
-  }
   CommandTable::Outcome run(std::string_view id) {
     const auto outcome = bench_.workbench().commands().run(id);
     frames(4);
     return outcome;
-  }
-  void enter(const std::string& field, std::string_view text) {
-    bench_.click("field." + field);
-    bench_.frame();
-    bench_.type(text);
-    bench_.tap("Enter");
-    frames(3);
-  }
-  void choose(const std::string& list, int number) {
-    bench_.click("combo." + list);
-    frames(3);
-    bench_.click("choice." + list + "." + std::to_string(number));
-    frames(3);
   }
   /// Edges of the rail, then the post, as key 2, clicks, key 4 and a click choose them.
   void select(const std::vector<std::pair<std::uint32_t, std::uint32_t>>& edges) {
@@ -80,8 +54,6 @@ class AlongACurve : public ::testing::Test {
     editor().selection.select({id, element_of(id)}, how);
     frames(2);
   }
-
-  HeadlessWorkbench bench_;
 };
 
 TEST_F(AlongACurve, CopiesStandFromEndToEndOfTheSelectedEdges) {
@@ -211,4 +183,4 @@ TEST_F(AlongAPath, TheSkinThatIsChosenLastGivesThePath) {
 }
 
 }  // namespace
-}  // namespace hariko
+}  // namespace hariko::test

@@ -1,19 +1,13 @@
 // Attaching border edges to patch objects, by commands.
 
-#include <gtest/gtest.h>
+#include "tests/workbench/bench_hands.hpp"
 
-#include "core/document/edits/edits.hpp"
-#include "tests/support/random_polyhedra.hpp"
-#include "tests/workbench/headless_workbench.hpp"
-
-namespace hariko {
+namespace hariko::test {
 namespace {
 
-using namespace test;
-
-class AttachCommands : public ::testing::Test {
+class AttachCommands : public BenchHands {
  protected:
-  AttachCommands() : bench_(document()) {}
+  AttachCommands() : BenchHands(document(), {800, 560}) {}
 
   /// A wing above the hood: side 0 of the wing faces the hood's edge 2-3.
   static Document document() {
@@ -25,10 +19,6 @@ class AttachCommands : public ::testing::Test {
   }
   const Object& wing() { return *bench_.editor().document().objects.front(); }
   const Object& hood() { return *bench_.editor().document().objects.back(); }
-  void run(const char* id) {
-    EXPECT_TRUE(bench_.workbench().commands().run(id).ran) << id;
-    for (int i = 0; i < 4; ++i) bench_.frame();
-  }
   void select_edge() {
     Editor& editor = bench_.editor();
     editor.mode = ElementMode::edge;
@@ -36,8 +26,6 @@ class AttachCommands : public ::testing::Test {
     editor.selection.select({hood().id, element_of(EdgeId::of({2}, {3}))}, Selection::How::replace);
     bench_.frame();
   }
-
-  HeadlessWorkbench bench_;
 };
 
 TEST_F(AttachCommands, AnEdgeFollowsTheNearestSideUntilItIsReleased) {
@@ -106,4 +94,4 @@ TEST_F(AttachCommands, PointsOfPatchesMoveInLocalEditing) {
 }
 
 }  // namespace
-}  // namespace hariko
+}  // namespace hariko::test

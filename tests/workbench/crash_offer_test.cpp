@@ -1,18 +1,13 @@
 // The report of a crash, offered at the next start: on the start page, and over a document.
 
-#include <gtest/gtest.h>
-
-#include "app/crash_offers.hpp"
+#include "app/offers.hpp"
 #include "core/document/edits/edits.hpp"
 #include "tests/support/random_polyhedra.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tests/workbench/headless_workbench.hpp"
 
-namespace hariko {
+namespace hariko::test {
 namespace {
-
-using test::HeadlessWorkbench;
-using test::spill;
 
 class OfferOfACrash : public ::testing::Test, protected test::NoServices {
  protected:
@@ -114,4 +109,4 @@ TEST_F(OfferOfACrash, NothingIsOfferedWhereNothingCrashed) {
 }
 
 }  // namespace
-}  // namespace hariko
+}  // namespace hariko::test

@@ -1,8 +1,6 @@
 // The open document and its file, driven as the window drives it: samples, saving, locks, changes by other
 // programs, recovery.
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <chrono>
 
@@ -10,13 +8,8 @@
 #include "tests/support/places.hpp"
 #include "tests/workbench/session_rig.hpp"
 
-namespace hariko {
+namespace hariko::test {
 namespace {
-
-using test::box;
-using test::OpenFile;
-using test::Session;
-using test::spill;
 
 TEST(DocumentSession, ASampleOpensAsACopyWithoutAFile) {
   const test::TemporaryFolder folder;
@@ -94,7 +87,7 @@ TEST_F(OpenFile, AFileThatAnotherProgramChangedIsAskedAbout) {
   session_->settle();
   EXPECT_EQ(name_in(file_), "Mine");
   EXPECT_FALSE(session_->editor().history.dirty());
-  // What was read or written last is known again.
+  // The file that was read or written last is known again.
   session_->rename_object("Again");
   save();
   EXPECT_EQ(name_in(file_), "Again");
@@ -305,4 +298,4 @@ TEST_F(Recovery, DiscardingAsksByNameAndRemovesTheWork) {
 }
 
 }  // namespace
-}  // namespace hariko
+}  // namespace hariko::test

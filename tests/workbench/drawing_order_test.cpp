@@ -1,20 +1,18 @@
 // Line drawings of the view: what they show, the file they become, and what keeps them from it.
 
-#include "ui/files/drawing_order.hpp"
-
-#include <gtest/gtest.h>
+#include "ui/files/picture_order.hpp"
 
 #include <set>
 #include <thread>
 
-#include "app/jobs/drawing_export.hpp"
+#include "app/jobs/picture_export.hpp"
 #include "core/base/files/file_io.hpp"
 #include "core/document/edits/edits.hpp"
+#include "core/document/file.hpp"
 #include "render/picture.hpp"
 #include "tests/support/random_polyhedra.hpp"
 #include "tests/support/temporary_folder.hpp"
-#include "tests/workbench/headless_workbench.hpp"
-#include "ui/files/picture_order.hpp"
+#include "tests/workbench/program_hands.hpp"
 
 namespace hariko {
 namespace {
@@ -45,8 +43,7 @@ TEST(DrawingOrder, IsSeenAsTheViewIs) {
     camera.orthographic = orthographic;
     bench.editor().set_camera(camera);
     bench.frame();
-    const auto order = ordered(bench);
-    ASSERT_TRUE(order.ok()) << to_string(order.error());
+    const auto order = test::must(ordered(bench));
     const PixelSize viewport = bench.editor().viewport;
     EXPECT_NEAR(order->view.width / order->view.height, viewport.aspect(), 1e-12);
     const Projector projector(camera, viewport);
@@ -62,9 +59,9 @@ TEST(DrawingOrder, IsSeenAsTheViewIs) {
   }
 }
 
-TEST(DrawingOrder, LinesLieWhereThePictureEnds) {
-  const test::TemporaryFolder folder;
-  HeadlessWorkbench bench(prism());
+/// Every line lies on the model or at its end, and where the model ends there is a line.
+void expect_lines_where_the_picture_ends(Document document) {
+  HeadlessWorkbench bench(std::move(document));
   bench.wait_for_surfaces();
   // A picture of the surface alone, of the size of the view, and the outline in pixels of it.
   PictureSettings picture;
@@ -76,12 +73,9 @@ TEST(DrawingOrder, LinesLieWhereThePictureEnds) {
   for (SceneObject& object : shown.objects) object.show_polyhedron = object.show_network = false;
   const auto image = render_picture(shown, pixels->cameras[0], pixels->size.width, pixels->size.height);
   ASSERT_TRUE(image.ok());
-  DrawingSettings settings;
-  settings.network = false;
-  const auto order = ordered(bench, settings);
-  ASSERT_TRUE(order.ok());
-  const auto drawing = draw_lines(order->surfaces, order->view, order->lines);
-  ASSERT_TRUE(drawing.ok());
+  DrawingSettings settings{.network = false};
+  const auto order = test::must(ordered(bench, settings));
+  const auto drawing = test::must(draw_lines(order->surfaces, order->view, order->lines));
   const double scale = pixels->size.width / order->view.width;
   const auto covered = [&](int x, int y) {
     return x >= 0 && y >= 0 && x < image->width && y < image->height && image->pixel(x, y)[3] > 127;
@@ -113,14 +107,18 @@ TEST(DrawingOrder, LinesLieWhereThePictureEnds) {
   EXPECT_GT(edge, 200);
 }
 
+TEST(DrawingOrder, LinesLieWhereThePictureEnds) {
+  expect_lines_where_the_picture_ends(prism());
+  expect_lines_where_the_picture_ends(
+      load_document(test::source_folder() + "/assets/samples/fig2.hariko").value());
+}
+
 TEST(DrawingOrder, IsWrittenWhole) {
   const test::TemporaryFolder folder;
   HeadlessWorkbench bench(prism());
   bench.wait_for_surfaces();
-  DrawingSettings settings;
-  settings.width = 120;
-  const auto order = ordered(bench, settings, folder.path() / "a.svg");
-  ASSERT_TRUE(order.ok());
+  DrawingSettings settings{.width = 120};
+  const auto order = test::must(ordered(bench, settings, folder.path() / "a.svg"));
   const Progress progress = Progress::make();
   ASSERT_TRUE(write(*order, {}, progress).ok());
   EXPECT_EQ(progress.fraction(), 1);
@@ -140,13 +138,9 @@ TEST(DrawingOrder, IsWrittenWhole) {
 
   const CancelToken cancel = CancelToken::make();
   cancel.cancel();
-  const auto cancelled = write(*ordered(bench, settings, folder.path() / "c.svg"), cancel);
-  ASSERT_FALSE(cancelled.ok());
-  EXPECT_EQ(cancelled.error().code, e_cancelled);
+  test::must_fail(write(*ordered(bench, settings, folder.path() / "c.svg"), cancel), e_cancelled);
   EXPECT_FALSE(std::filesystem::exists(folder.path() / "c.svg"));
-  const auto nowhere = write(*ordered(bench, settings, folder.path() / "missing" / "c.svg"));
-  ASSERT_FALSE(nowhere.ok());
-  EXPECT_EQ(nowhere.error().code, e_file_write);
+  test::must_fail(write(*ordered(bench, settings, folder.path() / "missing" / "c.svg")), e_file_write);
 }
 
 TEST(DrawingOrder, TheSectionOfTheViewCuts) {
@@ -156,10 +150,8 @@ TEST(DrawingOrder, TheSectionOfTheViewCuts) {
   bench.editor().view.section.axis = 2;
   bench.editor().view.section.offset = bench.workbench().viewport().scene().scene().world_box().center().z();
   bench.frame();
-  const auto order = ordered(bench);
-  ASSERT_TRUE(order.ok());
-  const auto drawing = draw_lines(order->surfaces, order->view, order->lines);
-  ASSERT_TRUE(drawing.ok());
+  const auto order = test::must(ordered(bench));
+  const auto drawing = test::must(draw_lines(order->surfaces, order->view, order->lines));
   const auto& strokes = drawing->lines;
   EXPECT_TRUE(std::any_of(strokes.begin(), strokes.end(),
                           [](const PageLine& stroke) { return stroke.kind == LineKind::section; }));
@@ -232,6 +224,61 @@ TEST(DrawingOrder, TheDialogChoosesTheFormat) {
   ASSERT_TRUE(bench.workbench().commands().run("file.export_turntable").ran);
   frames();
   EXPECT_FALSE(shows("dialog.format"));
+}
+
+/// The vase, which bends outwards everywhere: nothing hides its outline.
+class DrawingWork : public ::testing::Test, protected test::ProgramHands {
+ protected:
+  void SetUp() override { open_sample("fig2"); }
+  bool shows(const std::string& mark) { return marks().contains(mark); }
+  void open_dialog() {
+    bench().from_palette("export picture", "file.export_picture");
+    frames(4);
+  }
+  void set_width(const char* text) {
+    click("picture.page_width");
+    type(text);
+    click("dialog.name");
+  }
+  /// The written drawing.
+  std::string accept_as(const std::string& name) {
+    click("dialog.name");
+    type((folder() / name).string());
+    click("dialog.accept");
+    wait();
+    return test::slurp(folder() / name);
+  }
+  /// Names of the layers of a drawing.
+  static std::set<std::string> layers(const std::string& svg) {
+    const std::string begin = "<g id=\"";
+    std::set<std::string> out;
+    for (std::size_t at = svg.find(begin); at != std::string::npos; at = svg.find(begin, at + 1)) {
+      const std::size_t name = at + begin.size();
+      out.insert(svg.substr(name, svg.find('"', name) - name));
+    }
+    return out;
+  }
+};
+
+TEST_F(DrawingWork, ThePageAndTheLayersAreThoseOfTheDialog) {
+  open_dialog();
+  click("dialog.format");
+  click("dialog.format.svg");
+  ASSERT_TRUE(shows("picture.page_width"));
+  click("picture.hidden");
+  const std::string whole = accept_as("a.svg");
+  EXPECT_NE(whole.find("width=\"180mm\""), std::string::npos) << notice();
+  EXPECT_EQ(layers(whole), (std::set<std::string>{"silhouette", "network", "network-hidden"}));
+
+  // The format and what was chosen for it are there again.
+  open_dialog();
+  ASSERT_TRUE(shows("picture.page_width"));
+  set_width("9 cm");
+  click("picture.hidden");
+  click("picture.network");
+  const std::string part = accept_as("b.svg");
+  EXPECT_NE(part.find("width=\"90mm\""), std::string::npos) << notice();
+  EXPECT_EQ(layers(part), std::set<std::string>{"silhouette"});
 }
 
 }  // namespace

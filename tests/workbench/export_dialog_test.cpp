@@ -1,8 +1,6 @@
 // The dialogs of exports: what is typed for CAD holds when the dialog opens again, and is what is exported;
 // what a format of few digits cannot hold is said, with the way out.
 
-#include <gtest/gtest.h>
-
 #include <optional>
 #include <vector>
 
@@ -13,10 +11,8 @@
 #include "tests/support/temporary_folder.hpp"
 #include "tests/workbench/headless_workbench.hpp"
 
-namespace hariko {
+namespace hariko::test {
 namespace {
-
-using test::HeadlessWorkbench;
 
 /// The workbench with what it asks to be counted.
 class ExportDialog : public ::testing::Test {
@@ -122,8 +118,7 @@ struct TriangleCounts final : test::NoServices {
 };
 
 TEST(TriangleDialog, MovesToZeroWhatTheFormatCannotHoldWhereItIs) {
-  Similarity far;
-  far.translation = {500000.123, 5123456.789, 0};
+  Similarity far{.translation = {500000.123, 5123456.789, 0}};
   const Document at_zero = document_from_mesh(test::prism(4), "Box").value();
   TriangleCounts counts;
   HeadlessWorkbench bench(set_transform(at_zero, at_zero.objects.front()->id, far).value(), {1280, 800},
@@ -148,4 +143,4 @@ TEST(TriangleDialog, MovesToZeroWhatTheFormatCannotHoldWhereItIs) {
 }
 
 }  // namespace
-}  // namespace hariko
+}  // namespace hariko::test

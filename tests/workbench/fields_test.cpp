@@ -1,15 +1,11 @@
 // Fields that open under a click: what is typed at once goes into them and is no command.
 
-#include <gtest/gtest.h>
-
 #include "core/document/edits/edits.hpp"
 #include "tests/support/random_polyhedra.hpp"
 #include "tests/workbench/headless_workbench.hpp"
 
-namespace hariko {
+namespace hariko::test {
 namespace {
-
-using test::HeadlessWorkbench;
 
 Vector2 centre_of(const Marks::Rect& rect) {
   return {rect.x + rect.width / 2.0, rect.y + rect.height / 2.0};
@@ -86,4 +82,4 @@ TEST(Fields, AQuestionIsNamedWhereItIsClicked) {
 }
 
 }  // namespace
-}  // namespace hariko
+}  // namespace hariko::test

@@ -1,7 +1,5 @@
 // Files: the dialog that asks for one, and what dense and sharp meshes become.
 
-#include <gtest/gtest.h>
-
 #include <array>
 #include <filesystem>
 #include <fstream>
@@ -9,16 +7,14 @@
 #include "app/files/prepare_meshes.hpp"
 #include "core/exchange/mesh_file.hpp"
 #include "core/modeling/objects/primitives.hpp"
-#include "core/modeling/operations/sharp_edges.hpp"
 #include "tests/support/random_polyhedra.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tests/workbench/headless_workbench.hpp"
 #include "ui/base/folder_list.hpp"
 
-namespace hariko {
+namespace hariko::test {
 namespace {
 
-using test::HeadlessWorkbench;
 namespace fs = std::filesystem;
 
 void write(const fs::path& path, std::size_t bytes, int hours_ago) {
@@ -99,8 +95,7 @@ TEST_F(FileHands, AClickBesideTheEntriesLeavesTheKeyboardAtTheName) {
   bench_.press();
   bench_.release();
   for (int i = 0; i < 3; ++i) bench_.frame();
-  bench_.type("b.stl");
-  bench_.tap("Enter");
+  bench_.enter("b.stl");
   bench_.frame();
   ASSERT_EQ(imports_.files.size(), 1U);
   EXPECT_EQ(imports_.files[0].filename(), "b.stl");
@@ -109,8 +104,7 @@ TEST_F(FileHands, AClickBesideTheEntriesLeavesTheKeyboardAtTheName) {
 TEST_F(FileHands, AFolderCanBeMadeAndLeft) {
   click("dialog.new_folder");
   click("dialog.new_folder_name");
-  bench_.type("drafts");
-  bench_.tap("Enter");
+  bench_.enter("drafts");
   for (int i = 0; i < 3; ++i) bench_.frame();
   EXPECT_TRUE(fs::is_directory(folder_.path() / "drafts"));
   EXPECT_EQ(top("a2.obj"), -1) << "the dialog is in the new folder";
@@ -161,8 +155,7 @@ TEST_F(FileHands, FilesShowAtEveryScale) {
 /// It began in the folder of the document.
 TEST_F(FileHands, TheNextImportBeginsInTheFolderOfTheLast) {
   write(folder_.path() / "sub" / "deep.obj", 3, 1);
-  bench_.type("sub/deep.obj");
-  bench_.tap("Enter");
+  bench_.enter("sub/deep.obj");
   frames();
   ASSERT_EQ(imports_.files.size(), 1U);
   bench_.workbench().commands().run("file.import");
@@ -192,7 +185,7 @@ TEST_F(FileHands, NamesInOtherScriptsAreTakenUpForTheFonts) {
   bench_.key("Esc");
   bench_.workbench().commands().run("file.import");
   for (int i = 0; i < 3; ++i) bench_.frame();
-  EXPECT_EQ(bench_.editor().settings.language, LanguageId::english);
+  EXPECT_EQ(bench_.editor().settings.language, english_id);
   EXPECT_TRUE(bench_.editor().shown_characters().contains(U'\u7d05'));
   EXPECT_TRUE(bench_.editor().shown_characters().contains(U'\u8336'));
 }
@@ -267,4 +260,4 @@ TEST(PrepareMeshes, DenseMeshesAreAskedAboutAndShowWithoutPoints) {
 }
 
 }  // namespace
-}  // namespace hariko
+}  // namespace hariko::test

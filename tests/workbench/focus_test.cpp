@@ -1,28 +1,22 @@
 // Every menu, dialog and panel by the keyboard alone: where it is can be seen, and Esc leads back.
 
-#include <gtest/gtest.h>
 #include <imgui_internal.h>
 
-#include <filesystem>
 #include <fstream>
 #include <set>
 
 #include "app/pictures/samples.hpp"
-#include "core/document/edits/edits.hpp"
 #include "tests/support/places.hpp"
-#include "tests/support/random_polyhedra.hpp"
 #include "tests/support/temporary_folder.hpp"
-#include "tests/workbench/headless_workbench.hpp"
-#include "ui/base/menu_letters.hpp"
+#include "tests/workbench/bench_hands.hpp"
+#include "ui/base/key_chord.hpp"
 
-namespace hariko {
+namespace hariko::test {
 namespace {
 
-using test::HeadlessWorkbench;
-
-class Focus : public ::testing::Test {
+class Focus : public BenchHands {
  protected:
-  Focus() {
+  Focus() : BenchHands(test::box(), {1280, 800}) {
     // A colour that nothing else has.
     ImGui::GetStyle().Colors[ImGuiCol_NavHighlight] = {1, 0, 1, 1};
     bench_.workbench().samples() = find_samples(test::source_folder() + "/assets");
@@ -32,10 +26,6 @@ class Focus : public ::testing::Test {
     bench_.workbench().offers().recent.push_back(file);
     bench_.editor().path = folder_.path() / "model.hariko";
     frames();
-  }
-  const std::map<std::string, Marks::Rect>& marks() { return bench_.workbench().marks().all(); }
-  void frames(int count = 4) {
-    for (int i = 0; i < count; ++i) bench_.frame();
   }
   /// Whether the ring of the keyboard is drawn, or a field takes what is typed.
   static bool can_be_seen() {
@@ -74,7 +64,6 @@ class Focus : public ::testing::Test {
   }
 
   test::TemporaryFolder folder_;
-  HeadlessWorkbench bench_{document_from_mesh(test::prism(4), "Box").value(), {1280, 800}};
 };
 
 TEST_F(Focus, EveryMenuHasALetterOfItsOwn) {
@@ -85,18 +74,15 @@ TEST_F(Focus, EveryMenuHasALetterOfItsOwn) {
   EXPECT_FALSE(different.contains('\0'));
   EXPECT_EQ(letters.front(), 'F');
   for (std::size_t i = 0; i < menus.size(); ++i) {
-    bench_.tap("F10");
-    frames();
-    bench_.tap(std::string(1, letters[i]));
-    frames();
+    tap("F10");
+    tap(std::string(1, letters[i]));
     std::string first;
     for (const Command& command : bench_.workbench().commands().all())
       if (first.empty() && command.in_menu && command.menu == menus[i]) first = command.id;
     EXPECT_TRUE(marks().contains("command." + first)) << menus[i] << " by " << letters[i];
     // Some menus have only one command for a box.
     EXPECT_GE(go("Down", 3, menus[i]).size(), 1U) << "arrows do not go through " << menus[i];
-    bench_.tap("Esc");
-    frames();
+    tap("Esc");
     EXPECT_FALSE(marks().contains("command." + first)) << menus[i];
   }
 }
@@ -110,14 +96,12 @@ TEST_F(Focus, WithAltALetterOpensItsMenuWhereNoCommandHasTheChord) {
     const std::string chord = std::string("Alt+") + letters[i];
     const Command* owner = table.find(KeyChord::parse(chord).value());
     const auto before = bench_.workbench().command_log().number;
-    bench_.tap(chord);
-    frames();
+    tap(chord);
     const bool open = !GImGui->OpenPopupStack.empty();
     EXPECT_EQ(open, owner == nullptr) << chord;
     if (owner) EXPECT_GT(bench_.workbench().command_log().number, before) << chord;
     opened += open ? 1 : 0;
-    bench_.tap("Esc");
-    frames();
+    tap("Esc");
   }
   EXPECT_GE(opened, 7);
 }
@@ -133,8 +117,7 @@ TEST_F(Focus, TabGoesThroughEveryDialogAndEscCloses) {
     frames(6);
     EXPECT_GE(go("Tab", 24, id).size(), least);
     EXPECT_GE(go("Shift+Tab", 4, id).size(), 2U);
-    bench_.tap("Esc");
-    frames();
+    tap("Esc");
     EXPECT_TRUE(GImGui->OpenPopupStack.empty());
   }
 }
@@ -143,8 +126,7 @@ TEST_F(Focus, EnterTakesTheOfferThatTheKeyboardIsAt) {
   ASSERT_TRUE(bench_.workbench().commands().run("file.recent").ran);
   frames();
   EXPECT_TRUE(can_be_seen()) << "no card has the keyboard";
-  bench_.tap("Enter");
-  frames();
+  tap("Enter");
   EXPECT_TRUE(GImGui->OpenPopupStack.empty()) << "Enter did nothing";
 }
 
@@ -153,13 +135,11 @@ TEST_F(Focus, TabGoesThroughEveryPageOfThePreferences) {
     SCOPED_TRACE(page);
     ASSERT_TRUE(bench_.workbench().commands().run("edit.preferences").ran);
     frames(6);
-    bench_.click(std::string("preferences.page.") + page);
-    frames();
+    click(std::string("preferences.page.") + page);
     // Six pages and the way back to the defaults stand beside each.
     EXPECT_GE(go("Tab", 24, page).size(), 8U);
     EXPECT_GE(go("Shift+Tab", 4, page).size(), 2U);
-    bench_.tap("Esc");
-    frames();
+    tap("Esc");
     if (marks().contains("preferences")) bench_.tap("Esc");  // the first one left a field
     frames();
     EXPECT_FALSE(marks().contains("preferences"));
@@ -171,8 +151,7 @@ TEST_F(Focus, TabGoesPastWhatCannotBeChangedNow) {
   bench_.wait_for_surfaces();
   std::string panel;
   for (int i = 0; i < 6 && panel != "Meshing"; ++i) {
-    bench_.tap("F6");
-    frames();
+    tap("F6");
     panel = GImGui->NavWindow->RootWindow->Name;
   }
   ASSERT_EQ(panel, "Meshing");
@@ -192,15 +171,13 @@ TEST_F(Focus, TabGoesPastWhatCannotBeChangedNow) {
 TEST_F(Focus, F6AndTabGoThroughEveryPanel) {
   std::set<std::string> seen;
   for (int i = 0; i < 12; ++i) {
-    bench_.tap("F6");
-    frames();
+    tap("F6");
     if (!GImGui->NavWindow || GImGui->NavDisableHighlight) break;
     const std::string name = GImGui->NavWindow->RootWindow->Name;
     seen.insert(name);
     EXPECT_GE(go("Tab", 6, name).size(), name == "History" ? 1U : 2U) << name;
     if (GImGui->ActiveId != 0) {
-      bench_.tap("Enter");
-      frames();
+      tap("Enter");
     }
   }
   EXPECT_EQ(seen, (std::set<std::string>{"Objects", "Properties", "History", "Tools"}));
@@ -210,8 +187,7 @@ TEST_F(Focus, TabBeginsWithTheFirstItemWhereItsOwnIsGone) {
   bench_.workbench().commands().run("select.all");
   frames();
   for (int i = 0; i < 6 && std::string(GImGui->NavWindow->RootWindow->Name) != "Properties"; ++i) {
-    bench_.tap("F6");
-    frames();
+    tap("F6");
   }
   ASSERT_STREQ(GImGui->NavWindow->RootWindow->Name, "Properties");
   // Some rows belong to the selection alone, some stay.
@@ -232,18 +208,15 @@ TEST_F(Focus, TabBeginsWithTheFirstItemWhereItsOwnIsGone) {
 }
 
 TEST_F(Focus, APanelThatClosesGivesTheKeyboardBack) {
-  bench_.tap("Ctrl+Alt+T");
-  frames();
+  tap("Ctrl+Alt+T");
   for (int i = 0; i < 6 && std::string(GImGui->NavWindow->RootWindow->Name) != "Meshing"; ++i) {
-    bench_.tap("F6");
-    frames();
+    tap("F6");
   }
   ASSERT_STREQ(GImGui->NavWindow->RootWindow->Name, "Meshing");
-  bench_.tap("Ctrl+Alt+T");
-  frames();
+  tap("Ctrl+Alt+T");
   EXPECT_FALSE(ImGui::GetIO().ConfigFlags & ImGuiConfigFlags_NavEnableKeyboard);
   EXPECT_FALSE(can_be_seen());
 }
 
 }  // namespace
-}  // namespace hariko
+}  // namespace hariko::test

@@ -2,7 +2,6 @@
 
 #include "ui/base/fonts.hpp"
 
-#include <gtest/gtest.h>
 #include <imgui.h>
 
 #include <fstream>

@@ -1,33 +1,20 @@
 // Groups in the list of objects, by mouse and keys.
 
-#include <gtest/gtest.h>
-
-#include "core/document/edits/edits.hpp"
 #include "core/document/group_tree.hpp"
-#include "tests/support/random_polyhedra.hpp"
-#include "tests/workbench/headless_workbench.hpp"
+#include "tests/workbench/bench_hands.hpp"
 
-namespace hariko {
+namespace hariko::test {
 namespace {
 
-using test::HeadlessWorkbench;
-
-class GroupHands : public ::testing::Test {
+class GroupHands : public BenchHands {
  protected:
-  static Document row() {
-    Document document = document_from_mesh(test::prism(4), "Box").value();
-    return duplicate_objects(document, std::vector{ObjectId{1}}, 3)->document;
-  }
+  GroupHands() : BenchHands(row()) {}
+  static Document row() { return duplicate_objects(test::box(), std::vector{ObjectId{1}}, 3)->document; }
   void SetUp() override {
     editor().mode = ElementMode::object;
     frames();
   }
-  const std::map<std::string, Marks::Rect>& marks() { return bench_.workbench().marks().all(); }
-  Editor& editor() { return bench_.editor(); }
   const Document& document() { return editor().history.current(); }
-  void frames(int count = 4) {
-    for (int i = 0; i < count; ++i) bench_.frame();
-  }
   static std::string row_of(std::uint32_t object) { return "object." + std::to_string(object); }
   /// Chooses rows, the later ones with Ctrl.
   void choose(std::initializer_list<std::uint32_t> objects) {
@@ -61,15 +48,12 @@ class GroupHands : public ::testing::Test {
     for (const auto& object : document().objects) ids.push_back(object->id.value);
     return ids;
   }
-
-  HeadlessWorkbench bench_{row(), {1280, 1000}};
 };
 
 TEST_F(GroupHands, CtrlGGroupsWhatIsChosenAndCtrlZTakesItBack) {
   const Document before = document();
   choose({2, 3});
-  bench_.tap("Ctrl+G");
-  frames();
+  tap("Ctrl+G");
   ASSERT_EQ(document().groups->size(), 1U);
   EXPECT_EQ(group_of(2), GroupId{1});
   EXPECT_EQ(group_of(3), GroupId{1});
@@ -77,28 +61,23 @@ TEST_F(GroupHands, CtrlGGroupsWhatIsChosenAndCtrlZTakesItBack) {
   ASSERT_TRUE(marks().contains("group.1"));
   EXPECT_LT(marks().at("group.1").y, marks().at(row_of(2)).y);
   EXPECT_EQ(editor().chosen_group.chosen(editor()), GroupId{1});
-  bench_.tap("Ctrl+Shift+G");
-  frames();
+  tap("Ctrl+Shift+G");
   EXPECT_TRUE(document() == before) << "dissolving does not give the old document back";
-  bench_.tap("Ctrl+Z");
-  frames();
+  tap("Ctrl+Z");
   EXPECT_EQ(document().groups->size(), 1U);
-  bench_.tap("Ctrl+Z");
-  frames();
+  tap("Ctrl+Z");
   EXPECT_TRUE(document() == before);
   EXPECT_FALSE(marks().contains("group.1"));
 }
 
 TEST_F(GroupHands, ARowIsDraggedIntoAGroupAndOutAgain) {
   choose({2, 3});
-  bench_.tap("Ctrl+G");
-  frames();
+  tap("Ctrl+G");
   const Document grouped = document();
   drag(row_of(4), "group.1", 0.5);
   EXPECT_EQ(group_of(4), GroupId{1});
   EXPECT_EQ(order(), (std::vector<std::uint32_t>{1, 2, 3, 4})) << "at the end of the group";
-  bench_.tap("Ctrl+Z");
-  frames();
+  tap("Ctrl+Z");
   EXPECT_TRUE(document() == grouped);
   // A place between two rows of the group.
   drag(row_of(4), row_of(3), 0.2);
@@ -116,59 +95,47 @@ TEST_F(GroupHands, ARowIsDraggedIntoAGroupAndOutAgain) {
 
 TEST_F(GroupHands, TheEyeOfAGroupHidesWhatItContainsAndUndoShowsIt) {
   choose({2, 3});
-  bench_.tap("Ctrl+G");
-  frames();
+  tap("Ctrl+G");
   const Document grouped = document();
-  bench_.click("group.eye.1");
-  frames();
+  click("group.eye.1");
   EXPECT_FALSE(document().find(ObjectId{2})->visible);
   EXPECT_FALSE(document().find(ObjectId{3})->visible);
   EXPECT_TRUE(document().find(ObjectId{1})->visible);
   EXPECT_FALSE(editor().selection.objects().contains(ObjectId{2})) << "what is hidden stays selected";
   bench_.workbench().commands().run("select.all");
   EXPECT_EQ(editor().selection.objects().size(), 2U);
-  bench_.tap("Ctrl+Z");
-  frames();
+  tap("Ctrl+Z");
   EXPECT_TRUE(document() == grouped);
   EXPECT_TRUE(document().find(ObjectId{2})->visible);
 }
 
 TEST_F(GroupHands, TheLockOfAGroupRefusesEdits) {
   choose({2, 3});
-  bench_.tap("Ctrl+G");
-  frames();
+  tap("Ctrl+G");
   const Marks::Rect group = marks().at("group.1");
   bench_.move(group.x + 0.5 * group.width, group.y + 0.5 * group.height);
   frames();
   ASSERT_TRUE(marks().contains("group.lock.1"));
-  bench_.click("group.lock.1");
-  frames();
+  click("group.lock.1");
   const Document locked = document();
   ASSERT_TRUE(locked.find(ObjectId{2})->locked);
-  bench_.click(row_of(2));
-  frames();
+  click(row_of(2));
   EXPECT_FALSE(bench_.workbench().commands().run("transform.move").ran);
-  bench_.tap("Shift+Del");
-  frames();
+  tap("Shift+Del");
   EXPECT_TRUE(document() == locked);
-  bench_.tap("Ctrl+Z");
-  frames();
+  tap("Ctrl+Z");
   EXPECT_FALSE(document().find(ObjectId{2})->locked);
 }
 
 TEST_F(GroupHands, AFoldedGroupShowsNoRowsUntilAnObjectInItIsChosen) {
   choose({2, 3});
-  bench_.tap("Ctrl+G");
-  frames();
-  bench_.click("group.fold.1");
-  frames();
+  tap("Ctrl+G");
+  click("group.fold.1");
   EXPECT_FALSE(marks().contains(row_of(2)));
-  bench_.click("group.1");
-  frames();
+  click("group.1");
   EXPECT_FALSE(marks().contains(row_of(2))) << "choosing the group opens it";
   EXPECT_EQ(editor().selection.objects().size(), 2U);
-  bench_.click(row_of(1));
-  frames();
+  click(row_of(1));
   editor().selection.active = ObjectId{3};
   frames();
   EXPECT_TRUE(marks().contains(row_of(3)));
@@ -176,16 +143,12 @@ TEST_F(GroupHands, AFoldedGroupShowsNoRowsUntilAnObjectInItIsChosen) {
 
 TEST_F(GroupHands, F2RenamesTheChosenGroup) {
   choose({2, 3});
-  bench_.tap("Ctrl+G");
-  frames();
-  bench_.tap("F2");
-  frames();
+  tap("Ctrl+G");
+  tap("F2");
   bench_.type("Wheels");
-  bench_.tap("Enter");
-  frames();
+  tap("Enter");
   EXPECT_EQ(document().groups->front().name, "Wheels");
-  bench_.tap("Ctrl+Z");
-  frames();
+  tap("Ctrl+Z");
   EXPECT_NE(document().groups->front().name, "Wheels");
 }
 
@@ -193,12 +156,10 @@ TEST_F(GroupHands, SelectGroupGoesFromTheInnermostGroupOutward) {
   choose({2, 3});
   bench_.tap("Ctrl+G");
   choose({1, 2, 3});
-  bench_.tap("Ctrl+G");
-  frames();
+  tap("Ctrl+G");
   ASSERT_EQ(document().groups->size(), 2U);
   EXPECT_EQ(find_group(*document().groups, GroupId{1})->parent, GroupId{2});
-  bench_.click(row_of(3));
-  frames();
+  click(row_of(3));
   bench_.workbench().commands().run("group.select");
   EXPECT_EQ(editor().chosen_group.chosen(editor()), GroupId{1});
   bench_.workbench().commands().run("group.select");
@@ -207,4 +168,4 @@ TEST_F(GroupHands, SelectGroupGoesFromTheInnermostGroupOutward) {
 }
 
 }  // namespace
-}  // namespace hariko
+}  // namespace hariko::test

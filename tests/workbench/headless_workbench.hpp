@@ -13,6 +13,7 @@
 #include "app/engines/rebuild_engine.hpp"
 #include "app/engines/surface_builder.hpp"
 #include "render/offscreen.hpp"
+#include "tests/support/places.hpp"
 #include "tests/workbench/no_services.hpp"
 #include "ui/base/fonts.hpp"
 #include "ui/shell/workbench.hpp"
@@ -38,6 +39,7 @@ class HeadlessWorkbench {
     apply_theme(ThemeId::dark, 1, palette_);
     editor_.views = &engine_.views();
     editor_.open(std::move(document), {});
+    editor_.languages = find_languages(source_folder() + "/assets/languages").files;
     workbench_ = std::make_unique<Workbench>(editor_, renderer_, 1, metrics_, services ? *services : none_);
     frame();
     frame();
@@ -87,6 +89,10 @@ class HeadlessWorkbench {
                  editor_.view.map);
   }
 
+  void frames(int count) {
+    for (int i = 0; i < count; ++i) frame();
+  }
+
   void key(const KeyChord& chord) {
     const bool plain = !chord.control && !chord.alt && chord.key < 128;
     workbench_->key({chord, plain ? static_cast<char32_t>(chord.key) : char32_t(0)});
@@ -113,6 +119,11 @@ class HeadlessWorkbench {
       ImGui::GetIO().AddInputCharacter(static_cast<unsigned>(c));
       frame();
     }
+  }
+  /// The same, and Enter.
+  void enter(std::string_view text) {
+    type(text);
+    tap("Enter");
   }
 
   void move(double x, double y) {
@@ -143,6 +154,17 @@ class HeadlessWorkbench {
     io.KeyCtrl = control;
     io.KeyAlt = alt;
 #endif
+  }
+
+  /// Runs what the palette finds for these words, which has to be this command.
+  void from_palette(const char* words, const std::string& id) {
+    key("F3");
+    frames(3);
+    type(words);
+    frames(2);
+    ASSERT_TRUE(workbench_->marks().all().contains("palette.selected." + id)) << words;
+    key("Enter");
+    frames(2);
   }
 
   /// Until surfaces are ready and shown.

@@ -1,19 +1,13 @@
 // Whole jobs of modelling done by hand, from an empty document to files, with a count of what the hands do.
 
-#include <gtest/gtest.h>
-
 #include <filesystem>
 
 #include "core/cad/kernel/cad_file.hpp"
 #include "core/document/object_box.hpp"
-#include "core/skinning/edit/edit_section.hpp"
 #include "tests/workbench/program_hands.hpp"
-#include "ui/view/transform_target.hpp"
 
-namespace hariko {
+namespace hariko::test {
 namespace {
-
-using test::ProgramHands;
 
 class Jobs : public ::testing::Test, protected ProgramHands {
  protected:
@@ -147,7 +141,7 @@ TEST_F(Jobs, ATubeOfThreeSectionsTakesAtMostForty) {
   wait();
   ellipse("60", "30");
   ASSERT_EQ(editor().history.undo_label(), "Draw section") << hint();
-  // What was drawn is selected.
+  // The section just drawn is selected.
   press({"S"});
   type("1.2");
   press({"Enter"});
@@ -187,4 +181,4 @@ TEST_F(Jobs, AnOutlineTakesAtMostFifteen) {
 }
 
 }  // namespace
-}  // namespace hariko
+}  // namespace hariko::test

@@ -1,51 +1,36 @@
 // The interface by the keyboard alone, names, and dialogs that stay inside of the window.
 
-#include <gtest/gtest.h>
 #include <imgui_internal.h>
 
 #include <set>
 
-#include "core/document/edits/edits.hpp"
-#include "tests/support/random_polyhedra.hpp"
-#include "tests/workbench/headless_workbench.hpp"
+#include "tests/workbench/bench_hands.hpp"
 #include "ui/base/settings_members.hpp"
 #include "ui/editor/command_search.hpp"
 #include "ui/shell/preference_rows.hpp"
 
-namespace hariko {
+namespace hariko::test {
 namespace {
 
-using test::HeadlessWorkbench;
-
-class Keyboard : public ::testing::Test {
+class Keyboard : public BenchHands {
  protected:
-  const std::map<std::string, Marks::Rect>& marks() { return bench_.workbench().marks().all(); }
-  Editor& editor() { return bench_.editor(); }
-  void frames(int count = 4) {
-    for (int i = 0; i < count; ++i) bench_.frame();
-  }
+  Keyboard() : BenchHands(test::box(), {1280, 800}) {}
   std::string last_command() { return bench_.workbench().command_log().last.first; }
-
-  HeadlessWorkbench bench_{document_from_mesh(test::prism(4), "Box").value(), {1280, 800}};
 };
 
 TEST_F(Keyboard, F10OpensTheFirstMenuAndArrowsAndEnterRunACommand) {
-  bench_.tap("F10");
-  frames();
+  tap("F10");
   ASSERT_TRUE(marks().contains("command.file.open"));
   bench_.tap("Down");
-  bench_.tap("Enter");
-  frames();
+  tap("Enter");
   EXPECT_FALSE(marks().contains("command.file.open")) << "the menu is still open";
   EXPECT_TRUE(last_command().starts_with("file.")) << last_command();
 }
 
 TEST_F(Keyboard, AltAndALetterOpenAMenuAndEscClosesIt) {
-  bench_.tap("Alt+F");
-  frames();
+  tap("Alt+F");
   EXPECT_TRUE(marks().contains("command.file.open"));
-  bench_.tap("Esc");
-  frames();
+  tap("Esc");
   EXPECT_FALSE(marks().contains("command.file.open"));
 }
 
@@ -60,37 +45,31 @@ TEST_F(Keyboard, AQuestionHasADefaultThatEnterTakesAndArrowsChange) {
     frames();
   };
   ask();
-  bench_.tap("Enter");
-  frames();
+  tap("Enter");
   EXPECT_EQ(answer, "one");
   EXPECT_EQ(bench_.workbench().question(), nullptr);
   ask();
   bench_.tap("Right");
   bench_.tap("Tab");
-  bench_.tap("Enter");
-  frames();
+  tap("Enter");
   EXPECT_EQ(answer, "three");
   ask();
   bench_.tap("Shift+Tab");
   bench_.tap("Shift+Tab");
-  bench_.tap("Space");
-  frames();
+  tap("Space");
   EXPECT_EQ(answer, "two");
 }
 
 TEST_F(Keyboard, F6GoesFromPanelToPanelAndKeysChangeWhatIsThere) {
-  bench_.tap("F6");
-  frames();
+  tap("F6");
   EXPECT_EQ(std::string(GImGui->NavWindow->RootWindow->Name), "Objects");
-  bench_.tap("F6");
-  frames();
+  tap("F6");
   EXPECT_EQ(std::string(GImGui->NavWindow->RootWindow->Name), "Properties");
   EXPECT_FALSE(GImGui->NavDisableHighlight) << "no focus can be seen";
   const ElementMode mode = editor().mode;
   bench_.tap("Down");
   EXPECT_NE(GImGui->NavId, 0U);
-  bench_.tap("Esc");
-  frames();
+  tap("Esc");
   EXPECT_TRUE(GImGui->NavDisableHighlight);
   EXPECT_EQ(editor().mode, mode);
   bench_.key("2");
@@ -163,8 +142,7 @@ TEST_F(Keyboard, PreferencesCanBeReachedAtEveryScale) {
          {std::pair("interface", std::set<std::string>{"theme.dark", "scale.100", "scale.250"}),
           {"navigation", {"navigation.rhino", "turntable", "orbit_speed"}}}) {
       SCOPED_TRACE(page);
-      bench_.click(std::string("preferences.page.") + page);
-      frames();
+      click(std::string("preferences.page.") + page);
       const Marks::Rect dialog = marks().at("preferences");
       for (const std::string& field : fields) {
         ASSERT_TRUE(marks().contains("preferences." + field)) << field;
@@ -220,18 +198,15 @@ TEST_F(Keyboard, TheListOfManyObjectsGrowsIsSearchedAndSorted) {
   EXPECT_GE(more, rows + 3);
   bench_.click("outliner.search");
   bench_.type("Box 12");
-  bench_.tap("Enter");
-  frames();
+  tap("Enter");
   int found = 0;
   for (const auto& [mark, rect] : marks()) found += mark.starts_with("object.") ? 1 : 0;
   EXPECT_EQ(found, 1);
   bench_.click("outliner.search");
   for (int i = 0; i < 8; ++i) bench_.tap("Backspace");
   bench_.tap("Enter");
-  bench_.click("outliner.order");
-  frames();
-  bench_.click("outliner.order.1");
-  frames();
+  click("outliner.order");
+  click("outliner.order.1");
   // By their numbers: Box, Box 2, Box 3 ... and not Box 10 before Box 2.
   const auto id_of = [&](const std::string& name) {
     for (const auto& object : editor().document().objects)
@@ -263,11 +238,9 @@ TEST_F(Keyboard, RenamingBringsTheRowIntoSight) {
       frames();
     }
   ASSERT_FALSE(marks().contains(row));
-  bench_.tap("F2");
-  frames();
+  tap("F2");
   bench_.type("Shelf");
-  bench_.tap("Enter");
-  frames();
+  tap("Enter");
   EXPECT_EQ(editor().document().find(active)->name, "Shelf");
 }
 
@@ -301,15 +274,13 @@ TEST_F(Keyboard, ThePaletteRunsASettingAndShowsNothingForWhatIsNotThere) {
     return out;
   };
   const auto ask = [&](const char* text) {
-    bench_.tap("F3");
-    frames();
+    tap("F3");
     bench_.type(text);
     frames();
   };
   ask("boolean");
   EXPECT_TRUE(rows().empty()) << *rows().begin();
-  bench_.tap("Esc");
-  frames();
+  tap("Esc");
   ask("orbit speed");
   EXPECT_TRUE(rows().contains("palette.selected.property.preferences.orbit_speed"));
   bench_.tap("Enter");
@@ -318,4 +289,4 @@ TEST_F(Keyboard, ThePaletteRunsASettingAndShowsNothingForWhatIsNotThere) {
 }
 
 }  // namespace
-}  // namespace hariko
+}  // namespace hariko::test

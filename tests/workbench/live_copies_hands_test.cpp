@@ -1,15 +1,13 @@
 // Live copies by hand: an array that makes them, what is seen and picked of them, and objects made of them.
 
-#include <gtest/gtest.h>
+#include <imgui_internal.h>
 
 #include "core/document/edits/edits.hpp"
 #include "tests/workbench/program_hands.hpp"
 #include "ui/editor/object_size.hpp"
 
-namespace hariko {
+namespace hariko::test {
 namespace {
-
-using test::ProgramHands;
 
 class LiveCopiesByHand : public ::testing::Test, protected ProgramHands {
  protected:
@@ -101,6 +99,61 @@ TEST_F(LiveCopiesByHand, TheirNumbersCanBeChangedLater) {
   EXPECT_EQ(editor().history.undo_label(), "Live copies");
 }
 
+TEST_F(LiveCopiesByHand, OneCanBeTheMirrorImage) {
+  click("menu.Add");
+  click("command.add.box");
+  wait();
+  run_by_name("mirrored copy across x");
+  click("field.mirror_position");
+  type("130");
+  press({"Enter"});
+  wait();
+  choose("array_copies", 1);
+  ASSERT_EQ(objects().size(), 1U) << notice();
+  ASSERT_EQ(place_count(box()), 2U);
+  EXPECT_EQ(editor().history.position(), 2U) << "one step, whatever was adjusted";
+  EXPECT_EQ(editor().history.undo_label(), "Mirrored copy");
+  const Similarity own = places_of(box())[0], image = places_of(box())[1];
+  EXPECT_TRUE(image.mirrors());
+  EXPECT_NEAR(image.translation.x(), 260 - own.translation.x(), 1e-6);
+  ASSERT_EQ(scene().objects.size(), 2U);
+  EXPECT_EQ(scene().objects[1].mesh, scene().objects[0].mesh);
+  EXPECT_LT((scene().objects[1].transform.topLeftCorner<3, 3>().determinant()), 0);
+  // It is picked as its object.
+  ASSERT_TRUE(bench().workbench().commands().run("view.frame_all").ran);
+  frames(20);
+  press({"4"});
+  editor().selection.clear_objects();
+  frames(2);
+  click(pixel(image.apply(own_box(editor(), box()).center())));
+  EXPECT_TRUE(editor().selection.objects().contains(box().id));
+  // Its plane can be moved later.
+  ASSERT_TRUE(marks().contains("field.copies_plane"));
+  click("field.copies_plane");
+  type("200");
+  press({"Enter"});
+  wait();
+  EXPECT_NEAR(places_of(box())[1].translation.x(), 400 + own.translation.x(), 1e-6);
+  EXPECT_EQ(editor().history.undo_label(), "Live copies");
+  press({"Ctrl+Z", "Ctrl+Z"});
+  EXPECT_EQ(place_count(box()), 1U);
+}
+
+TEST_F(LiveCopiesByHand, TheListTellsTheirNumber) {
+  make_row();
+  const std::string mark = "copies." + std::to_string(box().id.value);
+  ASSERT_TRUE(marks().contains(mark));
+  const Vector2 at = middle_of(mark);
+  bench().move(at.x(), at.y());
+  frames(4);
+  int tips = 0;
+  for (const ImGuiWindow* tip : GImGui->Windows)
+    tips += (tip->Flags & ImGuiWindowFlags_Tooltip) != 0 && tip->WasActive && !tip->Hidden ? 1 : 0;
+  EXPECT_EQ(tips, 1);
+  run_by_name("remove live copies");
+  EXPECT_FALSE(marks().contains(mark));
+}
+
 TEST_F(LiveCopiesByHand, TheyBecomeObjectsOrGoAway) {
   make_row();
   const auto places = places_of(box());
@@ -122,4 +175,4 @@ TEST_F(LiveCopiesByHand, TheyBecomeObjectsOrGoAway) {
 }
 
 }  // namespace
-}  // namespace hariko
+}  // namespace hariko::test

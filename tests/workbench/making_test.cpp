@@ -1,8 +1,6 @@
 // Checking a part before it is made, by hand: maps of making by palette and menu, the probe, the legend, and
 // limits typed in the panel.
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
 
 #include "core/document/edits/edits.hpp"
@@ -23,8 +21,7 @@ Document part_with_a_border() {
 
 Document two_parts() {
   Document document = document_from_mesh(test::cube(), "Part").value();
-  Similarity place;
-  place.translation = {0.125, 0, 0};
+  Similarity place{.translation = {0.125, 0, 0}};
   return add_object(document, "Model", document.objects[0]->source, place)->document;
 }
 
@@ -37,22 +34,13 @@ class Making : public ::testing::Test {
   Editor& editor() { return bench_->editor(); }
   const std::map<std::string, Marks::Rect>& marks() { return bench_->workbench().marks().all(); }
   const SceneBuilder& scene() { return bench_->workbench().viewport().scene(); }
-  void frames(int count) {
-    for (int i = 0; i < count; ++i) bench_->frame();
-  }
+  void frames(int count) { bench_->frames(count); }
   void click(const std::string& mark) {
-    ASSERT_TRUE(marks().contains(mark)) << mark;
     bench_->click(mark);
     frames(3);
   }
   void from_palette(const char* words, const std::string& id) {
-    bench_->key("F3");
-    frames(3);
-    bench_->type(words);
-    frames(2);
-    ASSERT_TRUE(marks().contains("palette.selected." + id)) << words;
-    bench_->key("Enter");
-    frames(2);
+    bench_->from_palette(words, id);
     bench_->wait_for_surfaces();
   }
   void from_menu(const std::string& id) {
@@ -73,8 +61,7 @@ class Making : public ::testing::Test {
   SurfaceMap shown(std::size_t object = 0) { return scene().scene().objects.at(object).map; }
   void type_into(const std::string& mark, std::string_view text) {
     click(mark);
-    bench_->type(text);
-    bench_->tap("Enter");
+    bench_->enter(text);
     bench_->wait_for_surfaces();
   }
 

@@ -1,19 +1,15 @@
 // Commands of the Mesh menu on what is selected: what they make of it, and why they refuse.
 
-#include <gtest/gtest.h>
-
 #include <map>
 #include <set>
 
 #include "core/document/edits/edits.hpp"
 #include "tests/support/random_polyhedra.hpp"
 #include "tests/workbench/headless_workbench.hpp"
-#include "ui/editor/menu_tree.hpp"
+#include "ui/editor/command_table.hpp"
 
-namespace hariko {
+namespace hariko::test {
 namespace {
-
-using test::HeadlessWorkbench;
 
 class MeshCommands : public ::testing::Test {
  protected:
@@ -210,4 +206,4 @@ TEST_F(MeshCommands, AnotherPlaneKeepsTheImageOfTheLiveMirror) {
 }
 
 }  // namespace
-}  // namespace hariko
+}  // namespace hariko::test

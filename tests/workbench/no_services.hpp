@@ -2,7 +2,6 @@
 
 // NoServices: an application that does nothing. Tests derive from it and override what they look at.
 
-#include "ui/files/drawing_order.hpp"
 #include "ui/files/export_settings.hpp"
 #include "ui/files/picture_order.hpp"
 #include "ui/widgets/application_services.hpp"

@@ -1,14 +1,14 @@
 // Meshes that are opened: broken ones, open ones, dense ones, and what the dialog says of them.
 
-#include <gtest/gtest.h>
-
+#include <algorithm>
 #include <array>
 #include <iomanip>
 #include <sstream>
 
 #include "core/exchange/mesh_file.hpp"
 #include "core/modeling/objects/primitives.hpp"
-#include "core/modeling/operations/sharp_edges.hpp"
+#include "core/polyhedron/volume.hpp"
+#include "tests/workbench/program_hands.hpp"
 #include "tests/workbench/session_rig.hpp"
 
 namespace hariko {
@@ -103,6 +103,135 @@ TEST_F(OpenFile, CornersThatAreNearlyTheSameAreJoinedAsFarAsIsTyped) {
   session_->click("prompt.join");
   EXPECT_EQ(vertices(), 8);
   EXPECT_EQ(session_->editor().document().objects[0]->polyhedron()->polyhedron.edge_count(), 12);
+}
+
+TEST_F(OpenFile, TheToleranceOfALargeMeshRuinsNoSmallOneBesideIt) {
+  // A millionth of the plate, of which one face lies a little higher, is longer than the whole sheet.
+  const auto mesh = folder_.path() / "sizes.obj";
+  test::spill(mesh,
+              "o plate\nv 0 0 0\nv 10000 0 0\nv 10000 10000 0\nv 0 10000 0\nv 20000 0 0\nv 20000 10000 0\n"
+              "v 0 0 0.004\nv 0 10000 0.004\nv -10000 5000 0\nf 1 2 3 4\nf 2 5 6 3\nf 7 8 9\n"
+              "o sheet\nv 0 0 50\nv 0.01 0 50\nv 0.01 0.01 50\nv 0 0.01 50\nv 0.02 0 50\nv 0.02 0.01 50\n"
+              "f 10 11 12 13\nf 11 14 15 12\n");
+  (*session_)->open(mesh);
+  session_->settle();
+  ASSERT_TRUE(session_->shows("prompt.join"));
+  session_->click("prompt.join");
+  const auto& objects = session_->editor().document().objects;
+  ASSERT_EQ(objects.size(), 2U);
+  EXPECT_EQ(objects[0]->polyhedron()->polyhedron.vertex_count(), 7U);
+  EXPECT_EQ(objects[1]->polyhedron()->polyhedron.vertex_count(), 6U);
+  EXPECT_EQ(objects[1]->polyhedron()->polyhedron.face_count(), 2U);
+}
+
+/// A tetrahedron of which one face is two triangles that divide an edge, and another one that is inside out.
+const char* joint_and_turned() {
+  return "o joint\nv 0 0 0\nv 3 0 0\nv 0 3 0\nv 0 0 3\nv 1 0 0\n"
+         "f 1 3 2\nf 1 4 3\nf 2 3 4\nf 1 5 4\nf 5 2 4\n"
+         "o turned\nv 9 0 0\nv 12 0 0\nv 9 3 0\nv 9 0 3\nf 6 7 8\nf 6 8 9\nf 7 9 8\nf 6 9 7\n";
+}
+
+/// State of these two in a document: borders of the first one, and whether the second one looks outwards.
+struct JointAndTurned {
+  std::size_t border_loops = 0;
+  bool outwards = false;
+  friend bool operator==(const JointAndTurned&, const JointAndTurned&) = default;
+};
+
+JointAndTurned state_of(const std::vector<std::shared_ptr<const Object>>& objects) {
+  const PolyhedronSource &joint = *objects.at(objects.size() - 2)->polyhedron(),
+                         &turned = *objects.back()->polyhedron();
+  const std::vector<Vector3> points = turned.polyhedron.positions();
+  return {joint.polyhedron.topology().border_loop_count(),
+          closed_component_volumes(turned.polyhedron.topology(), points).at(0) > 0};
+}
+
+TEST_F(OpenFile, CornersOnEdgesAndPartsInsideOutAreRepairedAsChosen) {
+  const auto mesh = folder_.path() / "faults.obj";
+  test::spill(mesh, joint_and_turned());
+  const auto state = [this] { return state_of(session_->editor().document().objects); };
+  const auto begin = [&] {
+    (*session_)->open(mesh);
+    session_->settle();
+    ASSERT_TRUE(session_->shows("prompt.repair"));
+    ASSERT_TRUE(session_->shows("prompt.keep"));
+  };
+  begin();
+  const std::string text = session_->bench().workbench().question()->text;
+  EXPECT_NE(text.find("faults.obj"), std::string::npos) << text;
+  EXPECT_NE(text.find("edges of other faces: 1."), std::string::npos) << text;
+  EXPECT_NE(text.find("inside out: 1."), std::string::npos) << text;
+  EXPECT_TRUE(session_->happened("repairable"));
+  session_->click("prompt.cancel");
+  EXPECT_EQ(session_->editor().path, file_) << "Cancel opened something";
+
+  begin();
+  session_->click("prompt.keep");
+  EXPECT_EQ(state(), (JointAndTurned{1, false})) << "nothing is changed that nobody wants";
+
+  begin();
+  session_->click("prompt.repair");
+  EXPECT_EQ(state(), (JointAndTurned{0, true}));
+  EXPECT_NE(last_notice().find("4 faces"), std::string::npos) << last_notice();
+
+  begin();
+  session_->click("import.split_edges");
+  session_->click("prompt.repair");
+  EXPECT_EQ(state(), (JointAndTurned{1, true}));
+
+  begin();
+  session_->click("import.turn_parts");
+  session_->click("prompt.repair");
+  EXPECT_EQ(state(), (JointAndTurned{0, false}));
+}
+
+class ImportOfFaults : public ::testing::Test, protected test::ProgramHands {};
+
+TEST_F(ImportOfFaults, AsksTheSame) {
+  test::spill(folder() / "faults.obj", joint_and_turned());
+  for (const bool repaired : {false, true}) {
+    press({"Ctrl+I"});
+    name_file("faults.obj");
+    wait();
+    ASSERT_NE(bench().workbench().question(), nullptr) << notice();
+    if (repaired)
+      press({"Enter"});
+    else
+      click("prompt.keep");
+    wait();
+    ASSERT_EQ(editor().document().objects.size(), repaired ? 4U : 2U);
+    EXPECT_EQ(state_of(editor().document().objects),
+              (JointAndTurned{repaired ? std::size_t{0} : std::size_t{1}, repaired}));
+  }
+}
+
+TEST_F(OpenFile, TheRepairOfABrokenFileSplitsEdgesToo) {
+  const auto mesh = folder_.path() / "faults.obj";
+  test::spill(mesh, std::string(joint_and_turned()) + "f 6 7 8\n");  // three faces at each of its edges
+  (*session_)->open(mesh);
+  session_->settle();
+  ASSERT_TRUE(session_->shows("prompt.reference")) << "it is not broken";
+  const std::string text = session_->bench().workbench().question()->text;
+  EXPECT_NE(text.find("edges split: 1"), std::string::npos) << text;
+  session_->settle();  // a question with many lines takes its place over several frames
+  session_->click("prompt.repair");
+  EXPECT_FALSE(session_->shows("prompt.repair")) << "it asks again";
+  EXPECT_EQ(state_of(session_->editor().document().objects), (JointAndTurned{0, true}));
+  EXPECT_NE(last_notice().find("faces dropped: 1"), std::string::npos) << last_notice();
+}
+
+TEST_F(OpenFile, WhatABrokenFileLeavesOutIsToldAfterItsRepair) {
+  const auto mesh = folder_.path() / "broken.obj";
+  test::spill(mesh, broken_obj() + "l 1 7\nl 2 8\n");
+  for (const char* answer : {"prompt.repair", "prompt.reference"}) {
+    (*session_)->open(mesh);
+    session_->settle();
+    session_->click(answer);
+    const auto& notices = session_->editor().notices();
+    EXPECT_TRUE(std::any_of(notices.begin(), notices.end(), [](const Notice& notice) {
+      return notice.text.find("2 sets of points or lines were left out") != std::string::npos;
+    })) << answer;
+  }
 }
 
 TEST_F(OpenFile, ADenseMeshIsAskedAboutAndBecomesWhatIsChosen) {

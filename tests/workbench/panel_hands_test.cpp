@@ -1,24 +1,18 @@
 // Working in the panels: Tab through fields, rows that stay, tips beside the panel, sizes, many objects.
 
-#include <gtest/gtest.h>
 #include <imgui_internal.h>
 
-#include "core/document/edits/edit_solids.hpp"
-#include "core/document/edits/edits.hpp"
 #include "core/document/object_box.hpp"
 #include "core/envelope/ball/tightness.hpp"
-#include "tests/support/random_polyhedra.hpp"
-#include "tests/workbench/headless_workbench.hpp"
+#include "tests/workbench/bench_hands.hpp"
 #include "ui/editor/object_size.hpp"
 
-namespace hariko {
+namespace hariko::test {
 namespace {
 
-using test::HeadlessWorkbench;
-
-class PanelHands : public ::testing::Test {
+class PanelHands : public BenchHands {
  protected:
-  const std::map<std::string, Marks::Rect>& marks() { return bench_.workbench().marks().all(); }
+  PanelHands() : BenchHands(Document()) {}
   void run(std::string_view id) {
     ASSERT_TRUE(bench_.workbench().commands().run(id).ran) << id;
     bench_.wait_for_surfaces();
@@ -29,13 +23,10 @@ class PanelHands : public ::testing::Test {
     bench_.frame();
     bench_.type(text);
   }
-  Editor& editor() { return bench_.editor(); }
   Vector3 size_of_active() {
     const Object& object = *editor().active_object();
     return own_box(editor(), object).sizes() * object.transform.scale;
   }
-
-  HeadlessWorkbench bench_{Document(), {1280, 1000}};
 };
 
 TEST_F(PanelHands, TabGoesThroughTheNumbersOfANewBox) {
@@ -44,8 +35,7 @@ TEST_F(PanelHands, TabGoesThroughTheNumbersOfANewBox) {
   bench_.tap("Tab");
   bench_.type("110");
   bench_.tap("Tab");
-  bench_.type("36");
-  bench_.tap("Enter");
+  bench_.enter("36");
   const auto& numbers = editor().last_operation.numbers();
   ASSERT_GE(numbers.size(), 3U);
   EXPECT_EQ(numbers[0].value, 62);
@@ -58,8 +48,7 @@ TEST_F(PanelHands, ShiftTabGoesBack) {
   run("add.box");
   enter("field.depth", "50");
   bench_.tap("Shift+Tab");
-  bench_.type("40");
-  bench_.tap("Enter");
+  bench_.enter("40");
   EXPECT_EQ(editor().last_operation.numbers()[0].value, 40);
   EXPECT_EQ(editor().last_operation.numbers()[1].value, 50);
 }
@@ -69,8 +58,7 @@ TEST_F(PanelHands, TabAfterEnterGoesOnFromTheFieldThatWasEntered) {
   enter("field.width", "62");
   bench_.tap("Enter");
   bench_.tap("Tab");
-  bench_.type("110");
-  bench_.tap("Enter");
+  bench_.enter("110");
   EXPECT_EQ(editor().last_operation.numbers()[0].value, 62);
   EXPECT_EQ(editor().last_operation.numbers()[1].value, 110);
 }
@@ -81,8 +69,7 @@ TEST_F(PanelHands, ANewSolidHasOneBlockOfNumbersAndStaysSelected) {
   EXPECT_FALSE(marks().contains("field.width")) << "its numbers are there twice";
   enter("field.solid.width", "55");
   bench_.tap("Tab");
-  bench_.type("66");
-  bench_.tap("Enter");
+  bench_.enter("66");
   bench_.wait_for_surfaces();
   const Object& object = *editor().active_object();
   EXPECT_EQ(object.solids()->input->solids.front().size.x(), 55);
@@ -285,7 +272,7 @@ TEST_F(PanelHands, ManyObjectsHaveTheirCommonPropertiesTogether) {
   ASSERT_TRUE(marks().contains("combo.map"));
   ASSERT_TRUE(marks().contains("combo.mirror"));
   ASSERT_TRUE(marks().contains("field.colour"));
-  // What was mixed becomes the same for all.
+  // Mixed values become the same for all.
   bench_.click("check.points");
   bench_.frame();
   const bool points = editor().document().objects.front()->display.points;
@@ -394,12 +381,11 @@ TEST_F(PanelHands, APropertyIsFoundByItsNameAndGetsTheKeyboard) {
   run("property.tightness");
   for (int i = 0; i < 6; ++i) bench_.frame();
   EXPECT_FALSE(bench_.workbench().field_opening());
-  bench_.type("0.4");
-  bench_.tap("Enter");
+  bench_.enter("0.4");
   const EnvelopeInput& input = *editor().active_object()->solids()->input;
   const EnvelopeSettings& settings = input.settings;
   EXPECT_NEAR(tightness_of(settings.ball_radius, settings.rounding, solids_size(input.solids)), 0.4, 1e-12);
 }
 
 }  // namespace
-}  // namespace hariko
+}  // namespace hariko::test

@@ -1,10 +1,8 @@
 // Pages that cannot be built are told before they are written.
 
-#include <gtest/gtest.h>
 #include <imgui_internal.h>
 
 #include <cstdlib>
-#include <filesystem>
 
 #include "core/document/edits/edits.hpp"
 #include "core/modeling/objects/primitives.hpp"
@@ -14,10 +12,8 @@
 #include "ui/editor/paper_edits.hpp"
 #include "ui/paper/paper_drawing.hpp"
 
-namespace hariko {
+namespace hariko::test {
 namespace {
-
-using test::HeadlessWorkbench;
 
 class PaperHands : public ::testing::Test {
  protected:
@@ -145,4 +141,4 @@ TEST_F(PaperHands, ASplitPieceMovesAside) {
 }
 
 }  // namespace
-}  // namespace hariko
+}  // namespace hariko::test

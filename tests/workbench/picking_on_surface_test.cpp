@@ -1,12 +1,9 @@
 // Picking on the surface: curves stand for edges, patches for faces, outlines for objects.
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
 
 #include "core/document/edits/edits.hpp"
-#include "core/document/file.hpp"
-#include "render/shown_edges.hpp"
+#include "render/scene.hpp"
 #include "tests/support/places.hpp"
 #include "tests/support/random_polyhedra.hpp"
 #include "tests/workbench/headless_workbench.hpp"

@@ -2,8 +2,6 @@
 
 #include "ui/files/picture_order.hpp"
 
-#include <gtest/gtest.h>
-
 #include <set>
 #include <thread>
 
@@ -52,8 +50,7 @@ TEST(PictureOrder, APictureHasTheSizeAndTheBackgroundThatWereAskedFor) {
     ASSERT_TRUE(order.ok()) << to_string(order.error());
     const auto written = write(*order);
     ASSERT_TRUE(written.ok()) << to_string(written.error());
-    const auto image = read_png(folder.path() / "box.png");
-    ASSERT_TRUE(image.ok());
+    const auto image = test::must(read_png(folder.path() / "box.png"));
     EXPECT_EQ(image->width, 320);
     EXPECT_EQ(image->height, 200);
     EXPECT_EQ(image->pixel(2, 2)[3], transparent ? 0 : 255);
@@ -145,8 +142,7 @@ TEST(PictureOrder, ASeriesIsWrittenWholeOrRemoved) {
   PictureSettings settings = small(64, 48);
   settings.turntable_pictures = 3;
   const auto& scene = bench.workbench().viewport().scene();
-  auto order = order_turntable(bench.editor(), scene, settings, folder.path() / "turn.png");
-  ASSERT_TRUE(order.ok());
+  auto order = test::must(order_turntable(bench.editor(), scene, settings, folder.path() / "turn.png"));
   const Progress progress = Progress::make();
   ASSERT_TRUE(write(*order, {}, progress).ok());
   EXPECT_EQ(progress.fraction(), 1);
@@ -165,8 +161,7 @@ TEST(PictureOrder, ASeriesIsWrittenWholeOrRemoved) {
   while (how_far.fraction() <= 0) std::this_thread::yield();
   cancel.cancel();
   worker.join();
-  ASSERT_FALSE(result.ok());
-  EXPECT_EQ(result.error().code, e_cancelled);
+  test::must_fail(result, e_cancelled);
   EXPECT_EQ(files_in(cancelled_folder), 0U);
 }
 
@@ -185,11 +180,9 @@ TEST(PictureOrder, RefusalsSayWhy) {
   many.turntable_pictures = 100'000;
   EXPECT_EQ(code(order_turntable(bench.editor(), scene, many, "a.png")), e_picture_count);
 
-  const auto order = ordered(small(10, 10));
-  ASSERT_TRUE(order.ok());
+  const auto order = test::must(ordered(small(10, 10)));
   const auto written = write(*order);
-  ASSERT_FALSE(written.ok());
-  EXPECT_EQ(written.error().code, e_file_write);
+  test::must_fail(written, e_file_write);
   EXPECT_NE(written.error().text.find("missing"), std::string::npos) << written.error().text;
 
   bench.editor().stale_since[bench.editor().active_object()->id] = 0;
@@ -216,9 +209,11 @@ TEST(PictureOrder, TheDialogGivesTheOrder) {
   bench.wait_for_surfaces();
   ASSERT_TRUE(bench.workbench().commands().run("file.export_turntable").ran);
   for (int i = 0; i < 5; ++i) bench.frame();  // rows of options find their places
-  for (const char* mark : {"picture.size", "picture.count", "picture.transparent", "dialog.name"})
+  for (const char* mark :
+       {"picture.size", "picture.count", "picture.transparent", "picture.grid", "dialog.name"})
     EXPECT_TRUE(bench.workbench().marks().all().contains(mark)) << mark;
   bench.click("picture.transparent");
+  bench.click("picture.grid");
   for (int i = 0; i < 3; ++i) bench.frame();
   bench.click("dialog.accept");
   bench.frame();
@@ -226,6 +221,8 @@ TEST(PictureOrder, TheDialogGivesTheOrder) {
   EXPECT_EQ(given->files.size(), 72U);
   EXPECT_EQ(given->files[0].filename(), "Untitled_0001.png");
   EXPECT_EQ(given->scene.background, Background::transparent);
+  ASSERT_TRUE(bench.workbench().viewport().scene().scene().grid.visible);
+  EXPECT_FALSE(given->scene.grid.visible);
   EXPECT_EQ(given->size, bench.editor().viewport);
 }
 
@@ -237,7 +234,7 @@ TEST(PictureOrder, LeavingAsksAboutWorkThatIsNotFinished) {
   Leaving leaving;
   const bool& left = leaving.left;
   HeadlessWorkbench bench(box_document(), {800, 560}, &leaving);
-  bench.wait_for_surfaces();  // what the status line says of them moves its button
+  bench.wait_for_surfaces();  // text about them in the status line moves its button
   bench.editor().jobs.push_back(
       std::make_shared<const Job>(Job{"Exporting turn.png", true, CancelToken::make(), Progress::make()}));
   bench.editor().jobs.back()->progress.report(0.42);

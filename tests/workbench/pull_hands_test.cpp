@@ -1,17 +1,13 @@
 // The surface around solids pulled by hand.
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
 
 #include "core/document/edits/edit_solids.hpp"
 #include "core/envelope/solid.hpp"
 #include "tests/workbench/program_hands.hpp"
 
-namespace hariko {
+namespace hariko::test {
 namespace {
-
-using test::ProgramHands;
 
 class PullByHand : public ::testing::Test, protected ProgramHands {
  protected:
@@ -118,4 +114,4 @@ TEST_F(PullByHand, EscapeTakesADragBackAndTheWheelChangesTheRadius) {
 }
 
 }  // namespace
-}  // namespace hariko
+}  // namespace hariko::test

@@ -1,7 +1,5 @@
 // Anything a user may do, in any order: documents stay valid, and undo and redo give back what was there.
 
-#include <gtest/gtest.h>
-
 #include <array>
 #include <map>
 
@@ -13,12 +11,8 @@
 #include "tests/support/random_polyhedra.hpp"
 #include "tests/workbench/headless_workbench.hpp"
 
-namespace hariko {
+namespace hariko::test {
 namespace {
-
-using test::chance;
-using test::HeadlessWorkbench;
-using test::uniform_int;
 
 PolygonMesh some_mesh(std::mt19937_64& rng) {
   switch (uniform_int(rng, 0, 3)) {
@@ -90,7 +84,7 @@ class RandomUser {
     }
   }
 
-  /// What was done last, for messages.
+  /// Last action, for messages.
   const std::string& last() const { return last_; }
 
  private:
@@ -178,8 +172,7 @@ class RandomUser {
 
 /// The document survives writing and reading, which checks every invariant there is.
 void expect_valid(const Document& document) {
-  const auto read = read_document(write_document(document));
-  ASSERT_TRUE(read.ok()) << to_string(read.error());
+  const auto read = test::must(read_document(write_document(document)));
   ASSERT_TRUE(*read == document);
 }
 
@@ -235,4 +228,4 @@ TEST(RandomCommands, UndoAndRedoGiveBackEqualDocuments) {
 }
 
 }  // namespace
-}  // namespace hariko
+}  // namespace hariko::test

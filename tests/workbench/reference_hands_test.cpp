@@ -1,8 +1,6 @@
 // A cage and a scan, by hand: vertices onto the scan, the surface fitted to it, and what is said where
 // neither can be.
 
-#include <gtest/gtest.h>
-
 #include "core/document/edits/edits.hpp"
 #include "core/geometry/triangle.hpp"
 #include "core/modeling/surfacing/surface_input.hpp"
@@ -62,15 +60,7 @@ class ReferenceHands : public ::testing::Test {
     bench_->frame();
     return outcome;
   }
-  void from_palette(const char* words, const std::string& id) {
-    bench_->key("F3");
-    for (int i = 0; i < 3; ++i) bench_->frame();
-    bench_->type(words);
-    for (int i = 0; i < 2; ++i) bench_->frame();
-    ASSERT_TRUE(bench_->workbench().marks().all().contains("palette.selected." + id)) << words;
-    bench_->key("Enter");
-    for (int i = 0; i < 2; ++i) bench_->frame();
-  }
+  void from_palette(const char* words, const std::string& id) { bench_->from_palette(words, id); }
   double distance_from_scan(std::size_t object, const Vector3& point) {
     const MeshSource& scan = *editor().document().objects[object]->mesh();
     double out = 1e300;

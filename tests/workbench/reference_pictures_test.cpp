@@ -1,8 +1,6 @@
 // Reference pictures by hand: dropped, pasted, placed, made the right size by two clicks, hidden, packed,
 // lost and found.
 
-#include <gtest/gtest.h>
-
 #include <thread>
 
 #include "app/engines/reference_loader.hpp"

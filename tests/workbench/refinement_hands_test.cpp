@@ -1,20 +1,15 @@
 // Refining by hand: the surface stays where it was, and what is cut and snapped to are the curves that one
 // sees.
 
-#include <gtest/gtest.h>
-
 #include <cmath>
 #include <limits>
 
-#include "core/document/edits/edits.hpp"
 #include "render/picking.hpp"
-#include "render/shown_edges.hpp"
-#include "tests/workbench/headless_workbench.hpp"
+#include "render/scene.hpp"
+#include "tests/workbench/bench_hands.hpp"
 
-namespace hariko {
+namespace hariko::test {
 namespace {
-
-using test::HeadlessWorkbench;
 
 /// Largest distance between two surfaces round zero, as a share of their size: along rays from all sides.
 double distance(const Scene& a, const Scene& b) {
@@ -33,9 +28,9 @@ double distance(const Scene& a, const Scene& b) {
   return worst / a.objects[0].mesh->box().diagonal().norm();
 }
 
-class RefinementHands : public ::testing::Test {
+class RefinementHands : public BenchHands {
  protected:
-  RefinementHands() {
+  RefinementHands() : BenchHands(Document()) {
     bench_.workbench().commands().run("add.box");
     bench_.wait_for_surfaces();
     bench_.click("field.width");
@@ -51,17 +46,11 @@ class RefinementHands : public ::testing::Test {
     bench_.workbench().commands().run("select.none");
     bench_.frame();
   }
-  Editor& editor() { return bench_.editor(); }
   const SceneObject& object() { return bench_.workbench().viewport().scene().scene().objects[0]; }
   const PolyhedronSource& source() { return *editor().active_object()->polyhedron(); }
   Scene shown() {
     bench_.wait_for_surfaces();
     return bench_.workbench().viewport().scene().scene();
-  }
-  Vector2 pixel(const Vector3& world) {
-    const ImVec2 corner = bench_.workbench().viewport().rect().min;
-    return Projector(editor().camera(), editor().viewport).project(world)->head<2>() +
-           Vector2(double(corner.x), double(corner.y));
   }
   Vector3 end(Index edge, int which) {
     const DisplayPolyhedron& lines = *object().polyhedron;
@@ -86,14 +75,6 @@ class RefinementHands : public ::testing::Test {
     }
     return best;
   }
-  void click(const Vector2& at) {
-    bench_.move(at.x(), at.y());
-    bench_.press();
-    bench_.release();
-  }
-  void press(std::initializer_list<const char*> keys) {
-    for (const char* key : keys) bench_.key(key);
-  }
   /// Over the middle of the curve of a long edge.
   void cut_loop() {
     const Vector2 at = pixel(on_curve(edge_near(1, {31, 0, 18}), 0.5));
@@ -110,8 +91,6 @@ class RefinementHands : public ::testing::Test {
           editor().active_object()->transform.apply(source().origin + source().polyhedron.position(v)));
     return out;
   }
-
-  HeadlessWorkbench bench_{Document(), {1280, 1000}};
 };
 
 TEST_F(RefinementHands, ALoopCutKeepsTheFormUnlessItLiesOnStraightEdges) {
@@ -230,4 +209,4 @@ TEST_F(RefinementHands, MovesSnapToTheMiddlesOfCurvesWhereTheseAreShown) {
 }
 
 }  // namespace
-}  // namespace hariko
+}  // namespace hariko::test

@@ -2,8 +2,6 @@
 
 #include "app/pictures/sample_pictures.hpp"
 
-#include <gtest/gtest.h>
-
 #include <array>
 #include <filesystem>
 #include <fstream>

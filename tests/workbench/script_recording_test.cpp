@@ -1,7 +1,5 @@
 // Scripts that are recorded in the window: run without it they make the same document.
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <array>
 #include <filesystem>
@@ -16,10 +14,9 @@
 #include "tests/support/temporary_folder.hpp"
 #include "tests/workbench/headless_workbench.hpp"
 
-namespace hariko {
+namespace hariko::test {
 namespace {
 
-using test::HeadlessWorkbench;
 namespace fs = std::filesystem;
 
 OpenedFile open_plainly(const fs::path& path) {
@@ -76,8 +73,7 @@ class ScriptRecording : public ::testing::Test {
   void record() {
     run("edit.record_script");
     ASSERT_TRUE(bench_.workbench().marks().all().contains("dialog.name"));
-    bench_.type(file().string());
-    bench_.tap("Enter");
+    bench_.enter(file().string());
     frames();
     ASSERT_TRUE(editor().script_recording.has_value());
     EXPECT_TRUE(bench_.workbench().marks().all().contains("status.stop_script"));
@@ -89,11 +85,8 @@ class ScriptRecording : public ::testing::Test {
     bench_.click("status.stop_script");
     frames();
     EXPECT_FALSE(editor().script_recording.has_value());
-    const auto text = read_file(file(), 1 << 20);
-    EXPECT_TRUE(text.ok());
-    auto script = text.ok() ? read_script(*text) : Result<Script>(text.error());
-    EXPECT_TRUE(script.ok()) << (text.ok() ? *text : std::string());
-    return script.ok() ? *script : Script();
+    const auto text = test::must(read_file(file(), 1 << 20));
+    return *test::must(read_script(*text));
   }
   void expect_same(const Script& script, const std::optional<Document>& from = {}) {
     EXPECT_EQ(script.left_out, 0U) << (script.notes.empty() ? std::string() : script.notes.back());
@@ -162,6 +155,26 @@ TEST_F(ScriptRecording, NumbersThatAreAdjustedAreWrittenOnce) {
   EXPECT_EQ(count_of(script, "add.prism"), 1U);
   EXPECT_EQ(count_of(script, "object.array_row"), 1U);
   EXPECT_EQ(editor().document().objects.size(), 5U);
+  expect_same(script);
+}
+
+TEST_F(ScriptRecording, MirrorImagesAreWrittenWithTheirPlane) {
+  record();
+  run("add.box");
+  run("object.mirror_copy_x");
+  editor().last_operation.adjust(editor(), 0, 130);
+  frames();
+  run("object.mirror_copy_y");
+  editor().last_operation.adjust(editor(), 0, -75);
+  frames();
+  editor().last_operation.adjust(editor(), 1, 1);
+  frames();
+  const Script script = stop();
+  EXPECT_EQ(count_of(script, "object.mirror_copy_x"), 1U);
+  EXPECT_EQ(count_of(script, "object.mirror_copy_y"), 1U);
+  ASSERT_EQ(editor().document().objects.size(), 2U);
+  EXPECT_EQ(place_count(*editor().document().objects[0]), 1U);
+  EXPECT_EQ(place_count(*editor().document().objects[1]), 2U) << "the image was chosen";
   expect_same(script);
 }
 
@@ -310,8 +323,7 @@ TEST(ScriptText, IsReadAsItWasWritten) {
       {"select.none", {}},
       {"select.edges", {written("ids", std::vector<std::string>{"0-1", "1-2"})}},
       {"view.grid", {written_switch("on", false)}}};
-  const auto read = read_script(write_script(script));
-  ASSERT_TRUE(read.ok()) << to_string(read.error());
+  const auto read = test::must(read_script(write_script(script)));
   EXPECT_EQ(read->steps, script.steps);
   EXPECT_EQ(read->notes, script.notes);
   EXPECT_EQ(read->left_out, 2U);
@@ -320,4 +332,4 @@ TEST(ScriptText, IsReadAsItWasWritten) {
 }
 
 }  // namespace
-}  // namespace hariko
+}  // namespace hariko::test

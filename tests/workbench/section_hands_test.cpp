@@ -1,30 +1,22 @@
 // Sections as wholes: moved, turned and scaled in their planes; drawn from shapes.
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
-#include "core/document/edits/edit_skin.hpp"
-#include "core/skinning/columns/simple_skin.hpp"
-#include "core/skinning/edit/edit_section.hpp"
 #include "core/skinning/sections/section_frame.hpp"
-#include "tests/workbench/headless_workbench.hpp"
+#include "tests/workbench/bench_hands.hpp"
 
-namespace hariko {
+namespace hariko::test {
 namespace {
 
-using test::HeadlessWorkbench;
-
-class SectionHands : public ::testing::Test {
+class SectionHands : public BenchHands {
  protected:
-  SectionHands() {
+  SectionHands() : BenchHands(Document(), {1280, 800}) {
     bench_.workbench().commands().run("add.skin");
     bench_.wait_for_surfaces();
     bench_.move(500, 400);
   }
-  Editor& editor() { return bench_.editor(); }
   const Skin& skin() { return *editor().active_object()->skin()->skin; }
   void select_sections(const std::vector<std::size_t>& numbers) {
     ElementSelection points;
@@ -35,16 +27,11 @@ class SectionHands : public ::testing::Test {
     bench_.frame();
     bench_.frame();
   }
-  void press(std::initializer_list<const char*> keys) {
-    for (const char* key : keys) bench_.key(key);
-  }
   static Vector3 middle(const SkinSection& section) {
     Vector3 sum = Vector3::Zero();
     for (const SectionPoint& p : section.points) sum += p.position;
     return sum / double(section.size());
   }
-
-  HeadlessWorkbench bench_{Document(), {1280, 800}};
 };
 
 TEST_F(SectionHands, OneSectionIsScaledByANumberInItsPlane) {
@@ -215,25 +202,15 @@ TEST_F(SectionHands, CirclesRectanglesAndTheNearestSectionCanBeBegunWith) {
 }
 
 /// A skin that is drawn from nothing, in an empty view.
-class DrawnSkin : public ::testing::Test {
+class DrawnSkin : public BenchHands {
  protected:
-  Editor& editor() { return bench_.editor(); }
-  void frames(int count) {
-    for (int i = 0; i < count; ++i) bench_.frame();
-  }
-  Vector2 pixel(const Vector3& world) {
-    const ImVec2 corner = bench_.workbench().viewport().rect().min;
-    return Projector(editor().camera(), editor().viewport).project(world)->head<2>() +
-           Vector2(double(corner.x), double(corner.y));
-  }
+  DrawnSkin() : BenchHands(Document(), {1280, 800}) {}
   void click(const Vector2& at) {
-    bench_.move(at.x(), at.y());
-    bench_.press();
-    bench_.release();
+    BenchHands::click(at);
     frames(2);
   }
   void press(std::initializer_list<const char*> keys) {
-    for (const char* key : keys) bench_.key(key);
+    BenchHands::press(keys);
     frames(20);  // and the flight of the view
   }
   /// Corners of what is drawn over the view in a colour with this opacity.
@@ -245,8 +222,6 @@ class DrawnSkin : public ::testing::Test {
         count += vertex.col == with_alpha(colour, alpha) ? 1 : 0;
     return count;
   }
-
-  HeadlessWorkbench bench_{Document(), {1280, 800}};
 };
 
 TEST_F(DrawnSkin, ThePlaneOfASectionHasAGridAxesAndLengthsAndPointsNearAnAxisLieOnIt) {
@@ -281,4 +256,4 @@ TEST_F(DrawnSkin, ThePlaneOfASectionHasAGridAxesAndLengthsAndPointsNearAnAxisLie
 }
 
 }  // namespace
-}  // namespace hariko
+}  // namespace hariko::test

@@ -12,17 +12,11 @@
 #include <thread>
 #include <vector>
 
-#include "core/document/edits/edits.hpp"
 #include "core/document/file.hpp"
-#include "tests/support/random_polyhedra.hpp"
 #include "tests/support/temporary_folder.hpp"
-#include "tests/workbench/headless_workbench.hpp"
+#include "tests/workbench/bench_hands.hpp"
 
 namespace hariko::test {
-
-inline Document box(const std::string& name = "Box") {
-  return document_from_mesh(test::prism(4), name).value();
-}
 
 /// A window without a window, with folders of its own.
 class Session : private NoServices {

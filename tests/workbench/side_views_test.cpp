@@ -1,80 +1,70 @@
 // Views from the side: grids with numbers, boxes that go through, buttons as in other programs, and the view
 // that stays when four become one.
 
-#include <gtest/gtest.h>
-
 #include "render/grid_plane.hpp"
-#include "tests/support/random_polyhedra.hpp"
-#include "tests/workbench/headless_workbench.hpp"
+#include "tests/workbench/bench_hands.hpp"
 
 namespace hariko {
 namespace {
 
-class SideViews : public ::testing::Test {
+class SideViews : public test::BenchHands {
  protected:
-  SideViews() {
-    bench.wait_for_surfaces();
-    editor.mode = ElementMode::vertex;
-  }
-  void run(const char* id) {
-    EXPECT_TRUE(bench.workbench().commands().run(id).ran) << id;
-    bench.frame();
+  SideViews() : BenchHands(document_from_mesh(test::cube(), "Cube").value(), {1100, 760}) {
+    bench_.wait_for_surfaces();
+    editor().mode = ElementMode::vertex;
   }
   void look(const char* id) {
     run(id);
-    for (int i = 0; i < 8; ++i) bench.frame();  // the flight
+    frames(8);  // the flight
   }
   Vector2 middle_of(int view) {
-    const Marks::Rect rect = bench.workbench().marks().all().at("view." + std::to_string(view));
+    const Marks::Rect rect = bench_.workbench().marks().all().at("view." + std::to_string(view));
     return {rect.x + rect.width / 2.0, rect.y + rect.height / 2.0};
   }
   std::size_t box_all() {
     run("select.box");
-    const PanelRect rect = bench.workbench().viewport().rect();
-    bench.move(double(rect.min.x) + 10, double(rect.min.y) + 45);
-    bench.press();
-    bench.move(double(rect.max.x) - 5, double(rect.max.y) - 20);
-    bench.release();
-    bench.frame();
-    return editor.selection.of_active().vertices.size();
+    const PanelRect rect = bench_.workbench().viewport().rect();
+    bench_.move(double(rect.min.x) + 10, double(rect.min.y) + 45);
+    bench_.press();
+    bench_.move(double(rect.max.x) - 5, double(rect.max.y) - 20);
+    bench_.release();
+    bench_.frame();
+    return editor().selection.of_active().vertices.size();
   }
   void drag(const Vector2& from, const Vector2& by, int button) {
-    bench.move(from.x(), from.y());
-    bench.press(button);
-    bench.move(from.x() + by.x(), from.y() + by.y());
-    bench.release(button);
-    bench.frame();
+    bench_.move(from.x(), from.y());
+    bench_.press(button);
+    bench_.move(from.x() + by.x(), from.y() + by.y());
+    bench_.release(button);
+    bench_.frame();
   }
-
-  test::HeadlessWorkbench bench{document_from_mesh(test::cube(), "Cube").value(), {1100, 760}};
-  Editor& editor = bench.editor();
 };
 
 TEST_F(SideViews, BoxesGoThroughAndInPerspectiveTellWhatTheyLeftOut) {
   EXPECT_EQ(box_all(), 7U) << "in perspective one corner is hidden";
-  EXPECT_NE(bench.workbench().status().find("1 hidden element left out"), std::string::npos)
-      << bench.workbench().status();
-  EXPECT_NE(bench.workbench().status().find("Shift+Q"), std::string::npos);
-  editor.selection.clear_elements();
-  bench.frame();
-  EXPECT_EQ(bench.workbench().status().find("left out"), std::string::npos);
+  EXPECT_NE(bench_.workbench().status().find("1 hidden element left out"), std::string::npos)
+      << bench_.workbench().status();
+  EXPECT_NE(bench_.workbench().status().find("Shift+Q"), std::string::npos);
+  editor().selection.clear_elements();
+  bench_.frame();
+  EXPECT_EQ(bench_.workbench().status().find("left out"), std::string::npos);
   look("view.right");
   EXPECT_EQ(box_all(), 8U) << "in a side view what lies behind is taken too";
-  EXPECT_EQ(bench.workbench().status().find("left out"), std::string::npos);
+  EXPECT_EQ(bench_.workbench().status().find("left out"), std::string::npos);
   // The command is that of the view's projection.
   run("select.through");
-  EXPECT_FALSE(editor.selecting.through_parallel);
-  EXPECT_FALSE(editor.selecting.through);
+  EXPECT_FALSE(editor().selecting.through_parallel);
+  EXPECT_FALSE(editor().selecting.through);
 }
 
 TEST_F(SideViews, EverySideHasAGridWithNumbers) {
   const auto labels = [&](const std::string& way) {
     std::size_t count = 0;
-    for (const auto& [name, rect] : bench.workbench().marks().all())
+    for (const auto& [name, rect] : bench_.workbench().marks().all())
       count += name.starts_with("grid." + way) ? 1 : 0;
     return count;
   };
-  bench.frame();
+  bench_.frame();
   EXPECT_EQ(labels(""), 0U) << "perspective";
   for (const char* side : {"view.front", "view.back", "view.left", "view.right", "view.top", "view.bottom"}) {
     look(side);
@@ -116,37 +106,37 @@ TEST(GridPlane, NumbersStandWhereTheirLinesAre) {
 }
 
 TEST_F(SideViews, RightDragPansInRhinosParallelViews) {
-  editor.settings.navigation = NavigationPreset::rhino;
+  editor().settings.navigation = NavigationPreset::rhino;
   look("view.top");
-  const Camera before = editor.camera();
+  const Camera before = editor().camera();
   const Vector2 at = middle_of(0) + Vector2(180, 90);
   drag(at, {40, 0}, 1);
-  EXPECT_EQ(editor.camera().orientation.coeffs(), before.orientation.coeffs())
+  EXPECT_EQ(editor().camera().orientation.coeffs(), before.orientation.coeffs())
       << "the view from the top stays";
-  EXPECT_GT((editor.camera().target - before.target).norm(), 0);
-  bench.hold(true, true, false);
+  EXPECT_GT((editor().camera().target - before.target).norm(), 0);
+  bench_.hold(true, true, false);
   drag(at, {40, 10}, 1);
-  bench.hold(false, false, false);
-  EXPECT_NE(editor.camera().orientation.coeffs(), before.orientation.coeffs()) << "Ctrl+Shift turns it";
+  bench_.hold(false, false, false);
+  EXPECT_NE(editor().camera().orientation.coeffs(), before.orientation.coeffs()) << "Ctrl+Shift turns it";
 }
 
 TEST_F(SideViews, LeavingFourViewsKeepsTheOneThatWasWorkedIn) {
   run("view.four");
-  bench.frame();
+  bench_.frame();
   const Vector2 front = middle_of(2), top = middle_of(1);
-  bench.move(front.x(), front.y());
-  bench.press();
-  bench.release();
-  EXPECT_EQ(editor.layout.active(), 2);
+  bench_.move(front.x(), front.y());
+  bench_.press();
+  bench_.release();
+  EXPECT_EQ(editor().layout.active(), 2);
   // On the way to the menu the pointer crosses another view.
-  bench.move(top.x(), top.y());
-  EXPECT_EQ(editor.layout.active(), 1) << "keys act where the pointer is";
-  bench.move(top.x(), 4);
-  EXPECT_EQ(editor.layout.active(), 2);
+  bench_.move(top.x(), top.y());
+  EXPECT_EQ(editor().layout.active(), 1) << "keys act where the pointer is";
+  bench_.move(top.x(), 4);
+  EXPECT_EQ(editor().layout.active(), 2);
   run("view.four");
-  bench.frame();
-  EXPECT_EQ(editor.layout.arrangement(), Arrangement::one);
-  EXPECT_EQ(editor.layout.active(), 2);
+  bench_.frame();
+  EXPECT_EQ(editor().layout.arrangement(), Arrangement::one);
+  EXPECT_EQ(editor().layout.active(), 2);
 }
 
 }  // namespace

@@ -1,7 +1,5 @@
 // The start page: what it offers, by mouse and by keys.
 
-#include <gtest/gtest.h>
-
 #include <filesystem>
 #include <fstream>
 #include <set>
@@ -11,10 +9,8 @@
 #include "tests/support/temporary_folder.hpp"
 #include "tests/workbench/headless_workbench.hpp"
 
-namespace hariko {
+namespace hariko::test {
 namespace {
-
-using test::HeadlessWorkbench;
 
 const std::vector<std::string> ways{"start.polyhedron", "start.solids", "start.sections", "start.outline",
                                     "start.open"};
@@ -156,7 +152,7 @@ TEST(StartPage, FitsNarrowWindowsInBothLanguages) {
     SCOPED_TRACE(japanese);
     StartPageBench bench({800, 600});
     if (japanese) {
-      bench->editor().language = Language::load(test::source_folder() + "/assets/languages/ja.json").value();
+      bench->editor().language = Language::load(test::source_folder() + "/assets/languages/ja.po").value();
       FontRequest fonts;
       for (const char32_t character : bench->editor().language.characters())
         fonts.characters.insert(character);
@@ -188,7 +184,7 @@ TEST(StartPage, AsksForPicturesOfWhatIsSeenAndNoMore) {
 }
 
 TEST(Samples, HaveTitlesInBothLanguagesAndAPlaceAmongTheWays) {
-  const auto japanese = Language::load(test::source_folder() + "/assets/languages/ja.json").value();
+  const auto japanese = Language::load(test::source_folder() + "/assets/languages/ja.po").value();
   std::set<std::string> titles;
   for (const Sample& sample : find_samples(test::source_folder() + "/assets")) {
     SCOPED_TRACE(sample.path.filename());
@@ -213,4 +209,4 @@ TEST(Samples, UnknownOnesComeLastUnderTheirNames) {
 }
 
 }  // namespace
-}  // namespace hariko
+}  // namespace hariko::test

@@ -7,7 +7,8 @@
 #include "tests/support/places.hpp"
 #include "tests/support/random_polyhedra.hpp"
 #include "tests/workbench/headless_workbench.hpp"
-#include "ui/editor/menu_tree.hpp"
+#include "ui/editor/command_search.hpp"
+#include "ui/editor/command_table.hpp"
 
 namespace hariko {
 namespace {
@@ -20,7 +21,7 @@ Document box() {
 
 TEST(Table, EveryCommandIsNamedExplainedAndTranslated) {
   HeadlessWorkbench bench(box());
-  const auto japanese = Language::load(test::source_folder() + "/assets/languages/ja.json");
+  const auto japanese = Language::load(test::source_folder() + "/assets/languages/ja.po");
   ASSERT_TRUE(japanese.ok());
   std::map<std::string, std::string> keys;
   for (const Command& command : bench.workbench().commands().all()) {
@@ -30,15 +31,34 @@ TEST(Table, EveryCommandIsNamedExplainedAndTranslated) {
     EXPECT_NE(command.id.find('.'), std::string::npos);
     EXPECT_FALSE(menu_folders(command.menu).empty());
     for (const std::string& folder : menu_folders(command.menu)) EXPECT_TRUE(japanese->has(folder)) << folder;
-    const bool own_name = command.id == "help.english" || command.id == "help.japanese";
+    const bool own_name = command.id.starts_with("language.");
     EXPECT_TRUE(own_name || japanese->has(command.label)) << command.label;
     EXPECT_TRUE(japanese->has(command.help)) << command.help;
+    EXPECT_TRUE(own_name || command.other_names.empty() || japanese->has(command.other_names))
+        << command.other_names;
     const auto chords = parse_keys(command.keys).value();
     for (const KeyChord& chord : chords) {
       const auto [it, fresh] = keys.emplace(chord.to_string(), command.id);
       EXPECT_TRUE(fresh) << chord.to_string() << " is also the key of " << it->second;
     }
   }
+}
+
+TEST(Table, EveryLanguageWithACatalogueCanBeChosenAndFound) {
+  HeadlessWorkbench bench(box());
+  const CommandTable& commands = bench.workbench().commands();
+  ASSERT_FALSE(bench.editor().languages.empty());
+  for (const LanguageFile& each : bench.editor().languages) {
+    const std::string id = "language." + each.id;
+    ASSERT_TRUE(commands.run(id).ran) << id;
+    EXPECT_EQ(bench.editor().settings.language, each.id);
+    EXPECT_TRUE(commands.find(id)->checked());
+    const auto found = search_commands(commands, Language(), each.english_name, {});
+    ASSERT_FALSE(found.empty());
+    EXPECT_EQ(found.front()->id, id);
+  }
+  ASSERT_TRUE(commands.run("language.english").ran);
+  EXPECT_EQ(bench.editor().settings.language, english_id);
 }
 
 /// Besides, what is caught can change in the middle of a tool, and a script can end; the working plane and

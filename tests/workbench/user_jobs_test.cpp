@@ -1,8 +1,6 @@
 // Whole jobs of a new user done by hand, with a count of what the hands do: the guided first model, a body of
 // solids, a paper model, imports, and a day's small things.
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -15,29 +13,16 @@
 #include "core/envelope/envelope.hpp"
 #include "core/exchange/mesh_file.hpp"
 #include "core/modeling/objects/primitives.hpp"
+#include "tests/workbench/paper_rig.hpp"
 #include "tests/workbench/program_hands.hpp"
 
-namespace hariko {
+namespace hariko::test {
 namespace {
-
-using test::ProgramHands;
 
 class FromTheStartPage : public ::testing::Test, protected ProgramHands {
  protected:
   FromTheStartPage() : ProgramHands(Begin::start_page) {}
 
-  double depth(const Vector3& world) {
-    return Projector(editor().camera(), editor().viewport).project(world)->z();
-  }
-  /// The corner of the first object that is nearest to the eye.
-  Vector2 nearest_corner() {
-    const PolyhedronSource& source = *editor().document().objects[0]->polyhedron();
-    Vector3 best = source.origin + source.polyhedron.position(0);
-    for (Index v = 1; v < source.polyhedron.vertex_count(); ++v)
-      if (const Vector3 at = source.origin + source.polyhedron.position(v); depth(at) < depth(best))
-        best = at;
-    return pixel(best);
-  }
   /// The middle of the curve that is nearest to the eye.
   Vector2 nearest_curve() {
     const SceneObject& object = bench().workbench().viewport().scene().scene().objects[0];
@@ -164,31 +149,6 @@ TEST_F(OfSolids, AHandDrillOfFourSolidsTakesAtMostThirtyFiveActions) {
   expect_at_most(35, "hand drill");
 }
 
-class OnPaper : public ::testing::Test, protected ProgramHands {
- protected:
-  using Places = std::vector<Vector2>;
-  Places places_of(const std::string& prefix) {
-    Places out;
-    for (const auto& [mark, rect] : marks())
-      if (mark.starts_with(prefix)) out.push_back(middle_of(mark));
-    return out;
-  }
-  const PaperLayout& pages() { return *editor().paper.layout; }
-  /// The fold whose middle is farthest from all else that a click may mean.
-  Vector2 lonely_fold() {
-    Places others = places_of("paper.cut.");
-    for (const Vector2& tab : places_of("paper.tab.")) others.push_back(tab);
-    Vector2 best(0, 0);
-    double most = 0;
-    for (const Vector2& fold : places_of("paper.folded.")) {
-      double near = 1e300;
-      for (const Vector2& other : others) near = std::min(near, (other - fold).norm());
-      if (near > most) most = near, best = fold;
-    }
-    return best;
-  }
-};
-
 TEST_F(OnPaper, APaperMouseTakesAtMostFourteenActions) {
   const PolygonMesh body = make_primitive(BoxShape{{62, 110, 36}, {1, 1, 1}, {}}).value();
   ASSERT_TRUE(save_document(document_from_mesh(body, "Mouse").value(), folder() / "mouse.hariko").ok());
@@ -202,19 +162,19 @@ TEST_F(OnPaper, APaperMouseTakesAtMostFourteenActions) {
   ASSERT_TRUE(editor().paper.layout) << notice();
   EXPECT_EQ(pages().overlaps, 0U);
   EXPECT_TRUE(pages().off_page.empty());
-  const std::size_t facets = pages().unfolding.graph->face_count();
-  EXPECT_GE(facets, 50U);
-  EXPECT_LE(facets, 200U) << "nobody cuts that out";
+  const std::size_t faces = pages().unfolding.graph->face_count();
+  EXPECT_GE(faces, 50U);
+  EXPECT_LE(faces, 200U) << "nobody cuts that out";
 
   const Marks::Rect slider = marks().at("paper.fold");
   const double height = slider.y + slider.height / 2.0;
   drag({slider.x + slider.width - 8.0, height}, {slider.x + slider.width / 2.0, height});
   EXPECT_NEAR(editor().paper.folded, 0.5, 0.1);
 
-  const std::size_t pieces = pages().unfolding.pieces.size();
-  click(lonely_fold());
+  const std::size_t before = pieces();
+  click("paper.folded." + std::to_string(lonely_fold()));
   wait();
-  EXPECT_EQ(pages().unfolding.pieces.size(), pieces + 1) << editor().history.undo_label();
+  EXPECT_EQ(pieces(), before + 1) << editor().history.undo_label();
   EXPECT_EQ(pages().overlaps, 0U) << "the halves lie on each other";
   EXPECT_TRUE(pages().off_page.empty());
   const Vector2 piece = middle_of("paper.piece.0");
@@ -390,4 +350,4 @@ TEST(ADay, TakesAtMostFiftyActions) {
 }
 
 }  // namespace
-}  // namespace hariko
+}  // namespace hariko::test

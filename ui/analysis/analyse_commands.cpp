@@ -9,6 +9,8 @@
 
 #include "core/document/edits/edits.hpp"
 #include "ui/editor/command_host.hpp"
+#include "ui/editor/object_size.hpp"
+#include "ui/widgets/command_services.hpp"
 #include "ui/widgets/enum_labels.hpp"
 
 namespace hariko {
@@ -54,12 +56,11 @@ std::function<bool()> shows(const Editor& editor, Get get) {
   };
 }
 
-/// Why no surface could show a map.
+/// Reason why no surface could show a map.
 Reason nothing_shows(const Editor& editor, SurfaceMap map) {
   const auto& objects = editor.document().objects;
-  const auto able = std::count_if(objects.begin(), objects.end(), [&](const auto& object) {
-    return object->visible && can_show(*object, map);
-  });
+  const auto able = std::ranges::count_if(
+      objects, [&](const auto& object) { return object->visible && can_show(*object, map); });
   if (map == SurfaceMap::deviation && able == 1)
     return translatable("A deviation needs two visible objects with a surface or facets.");
   if (able > 0) return {};
@@ -76,17 +77,15 @@ void show_map(Editor& editor, SurfaceMap map) {
     shown = map;
   const Object* reference = editor.document().find(editor.document().making.reference);
   if (shown == SurfaceMap::deviation && !(reference && reference->visible))
-    editor.notify(Notice::Kind::info,
-                  editor.language("Choose the reference of the deviation in the properties."));
+    editor.inform("Choose the reference of the deviation in the properties.");
   std::size_t own = 0;
   for (const auto& object : editor.document().objects)
     own += object->visible && object->has_surface() && object->display.map != SurfaceMap::shaded ? 1 : 0;
   const Language& tr = editor.language;
   if (own > 0)
     editor.notify(Notice::Kind::info,
-                  fill(tr(own == 1 ? "1 object keeps the map that its properties give it."
-                                   : "{0} objects keep the maps that their properties give them."),
-                       {std::to_string(own)}));
+                  tr.counted(own, "1 object keeps the map that its properties give it.",
+                             "{0} objects keep the maps that their properties give them."));
 }
 
 /// Submenu of the maps of making. Menus show its folders one by one, each by its own name.
@@ -130,21 +129,17 @@ void add_maps(CommandHost& host) {
   const WhyNot document = needs_document(editor);
   for (const Entry& entry : entries) {
     const SurfaceMap map = entry.map;
-    host.table.add({.id = entry.id,
-                    .menu = entry.menu,
-                    .label = entry.label,
-                    .help = entry.help,
-                    .keys = entry.keys,
-                    .run = [&editor, map] { show_map(editor, map); },
-                    .why_not = [&editor, document, map]() -> Reason {
-                      if (auto reason = document()) return reason;
-                      return nothing_shows(editor, map);
-                    },
-                    .checked =
-                        [&editor, map] {
-                          const bool mirrors = map == SurfaceMap::shaded && editor.view.environment;
-                          return editor.view.map.map.value_or(SurfaceMap::shaded) == map && !mirrors;
-                        }});
+    MenuRows(host.table, entry.menu)
+        .add(
+            entry.id, entry.label, entry.help, [&editor, map] { show_map(editor, map); },
+            [&editor, document, map]() -> Reason {
+              if (auto reason = document()) return reason;
+              return nothing_shows(editor, map);
+            },
+            {.keys = entry.keys, .checked = [&editor, map] {
+               const bool mirrors = map == SurfaceMap::shaded && editor.view.environment;
+               return editor.view.map.map.value_or(SurfaceMap::shaded) == map && !mirrors;
+             }});
   }
 }
 
@@ -159,67 +154,46 @@ void switch_environment(Editor& editor) {
 void add_environment_switch(CommandHost& host) {
   Editor& editor = host.editor;
   const WhyNot document = needs_document(editor);
-  host.table.add(
-      {.id = "analyse.environment",
-       .menu = "Analyse",
-       .label = "Environment",
-       .help = "Let shaded surfaces reflect a studio, light tubes, a horizon, a sky or a panorama.",
-       .keys = "Alt+8",
-       .run = [&editor] { switch_environment(editor); },
-       .why_not = [&editor, document]() -> Reason {
-         if (auto reason = document()) return reason;
-         return nothing_shows(editor, SurfaceMap::shaded);
-       },
-       .checked = [&editor] { return editor.view.environment && !editor.view.map.map; }});
+  MenuRows(host.table, "Analyse")
+      .add(
+          "analyse.environment", "Environment",
+          "Let shaded surfaces reflect a studio, light tubes, a horizon, a sky or a panorama.",
+          [&editor] { switch_environment(editor); },
+          [&editor, document]() -> Reason {
+            if (auto reason = document()) return reason;
+            return nothing_shows(editor, SurfaceMap::shaded);
+          },
+          {.keys = "Alt+8",
+           .checked = [&editor] { return editor.view.environment && !editor.view.map.map; }});
 }
 
 void add_switches(CommandHost& host) {
   Editor& editor = host.editor;
   using Flag = bool& (*)(DisplaySettings&);
-  const auto flag = [&](Command row, const char* step, Flag get) {
-    row.changes_document = true;
-    row.run = [&editor, get, step] {
+  const auto flag = [&](const char* menu, const char* id, const char* label, const char* help,
+                        const WhyNot& why_not, const char* step, Flag get, Command more) {
+    more.checked = shows(editor, [get](DisplaySettings d) { return get(d); });
+    const auto turn = [&editor, get, step] {
       change_display(
           editor, step, [get](DisplaySettings& d) { get(d) = !get(d); },
           [get](DisplaySettings from, DisplaySettings& to) { get(to) = get(from); });
     };
-    row.checked = shows(editor, [get](DisplaySettings d) { return get(d); });
-    host.table.add(std::move(row));
+    MenuRows(host.table, menu).add_edit(id, label, help, turn, why_not, std::move(more));
   };
   const auto show = [&](const char* id, const char* label, const char* help, const WhyNot& why_not,
                         const char* step, Flag get) {
-    flag({.id = id,
-          .menu = "View/Show",
-          .label = label,
-          .help = help,
-          .while_tool_runs = true,
-          .why_not = why_not},
-         step, get);
+    flag("View/Show", id, label, help, why_not, step, get, {.while_tool_runs = true});
   };
   const WhyNot surface = needs_shown_surface(editor), curves = needs_shown_surface(editor, true),
                polyhedron = needs_polyhedron(editor);
-  flag({.id = "analyse.combs",
-        .menu = "Analyse",
-        .label = "Curvature combs",
-        .help = "Show teeth as long as the network's curves are curved.",
-        .keys = "Alt+C",
-        .separator_before = true,
-        .why_not = curves},
-       "Curvature combs", [](DisplaySettings& d) -> bool& { return d.combs.shown; });
-  flag({.id = "analyse.marks",
-        .menu = "Analyse",
-        .label = "Edge continuity",
-        .help = "Mark the edges by their continuity: G0, G1, G2.",
-        .keys = "Alt+E",
-        .why_not = curves},
-       "Edge continuity", [](DisplaySettings& d) -> bool& { return d.marks; });
-  flag({.id = "analyse.tensions",
-        .menu = "Analyse",
-        .label = "Tensions",
-        .help = "Show tensions as colours and numbers.",
-        .keys = "Alt+T",
-        .why_not = polyhedron},
-       "Show tensions", [](DisplaySettings& d) -> bool& { return d.tensions; });
+  flag("Analyse", "analyse.combs", "Curvature combs",
+       "Show teeth as long as the network's curves are curved.", curves, "Curvature combs",
+       [](DisplaySettings& d) -> bool& { return d.combs.shown; },
+       {.keys = "Alt+C", .separator_before = true});
+  flag("Analyse", "analyse.marks", "Edge continuity", "Mark the edges by their continuity: G0, G1, G2.",
+       curves, "Edge continuity", [](DisplaySettings& d) -> bool& { return d.marks; }, {.keys = "Alt+E"});
+  flag("Analyse", "analyse.tensions", "Tensions", "Show tensions as colours and numbers.", polyhedron,
+       "Show tensions", [](DisplaySettings& d) -> bool& { return d.tensions; }, {.keys = "Alt+T"});
   show("show.surface", "Surface", "Show the surface.", surface, "Show surface",
        [](DisplaySettings& d) -> bool& { return d.surface; });
   show("show.polyhedron", "Polyhedron", "Show the polyhedron, or what else the surface is made from.",
@@ -249,13 +223,9 @@ void add_combs(CommandHost& host) {
       needs_shown_surface(editor, true), [&editor] { return editor.active_object()->display.combs.shown; },
       translatable("The curvature combs are not shown."));
   const auto add = [&](const char* id, const char* label, const char* help, double scale, int density) {
-    host.table.add({.id = id,
-                    .menu = "Analyse/Combs",
-                    .label = label,
-                    .help = help,
-                    .changes_document = true,
-                    .run = [&editor, scale, density] { change_combs(editor, scale, density); },
-                    .why_not = why_not});
+    MenuRows(host.table, "Analyse/Combs")
+        .add_edit(
+            id, label, help, [&editor, scale, density] { change_combs(editor, scale, density); }, why_not);
   };
   add("analyse.combs_longer", "Longer teeth", "Double the length of the teeth.", 2, 0);
   add("analyse.combs_shorter", "Shorter teeth", "Halve the length of the teeth.", 0.5, 0);
@@ -276,17 +246,14 @@ void wear(Editor& editor, Material material) {
 void add_materials(CommandHost& host) {
   const WhyNot why_not = needs_shown_surface(host.editor);
   for (const Material material : enum_values<Material>()) {
-    host.table.add({.id = "material." + std::string(enum_word(material)),
-                    .menu = "View/Material",
-                    .label = enum_choice(material).label,
-                    .help = "Show the surface in this material.",
-                    .changes_document = true,
-                    .while_tool_runs = true,
-                    .run = [&editor = host.editor, material] { wear(editor, material); },
-                    .why_not = why_not,
-                    .checked = shows(host.editor, [material](const DisplaySettings& d) {
-                      return d.material == material;
-                    })});
+    MenuRows(host.table, "View/Material")
+        .add_edit(
+            "material." + std::string(enum_word(material)), enum_choice(material).label,
+            "Show the surface in this material.",
+            [&editor = host.editor, material] { wear(editor, material); }, why_not,
+            {.while_tool_runs = true, .checked = shows(host.editor, [material](const DisplaySettings& d) {
+                                        return d.material == material;
+                                      })});
   }
 }
 
@@ -294,9 +261,7 @@ void add_materials(CommandHost& host) {
 void show_section(Editor& editor) {
   ViewSettings::Section& section = editor.view.section;
   section.shown = !section.shown;
-  Box3 box;
-  for (const auto& object : editor.document().objects)
-    if (object->visible) box.extend(world_box(*object));
+  const Box3 box = box_of_visible(editor.document());
   const bool outside = !box.isEmpty() && !(section.offset >= box.min()[section.axis] &&
                                            section.offset <= box.max()[section.axis]);
   if (section.shown && outside) section.offset = box.center()[section.axis];
@@ -305,29 +270,20 @@ void show_section(Editor& editor) {
 void add_view_switches(CommandHost& host) {
   Editor& editor = host.editor;
   const WhyNot document = needs_document(editor);
-  host.table.add({.id = "analyse.section",
-                  .menu = "Analyse",
-                  .label = "Section plane",
-                  .help = "Cut surfaces away beyond a plane.",
-                  .keys = "Alt+S",
-                  .separator_before = true,
-                  .run = [&editor] { show_section(editor); },
-                  .why_not = document,
-                  .checked = [&editor] { return editor.view.section.shown; }});
-  host.table.add(
-      switching({.id = "analyse.section_flip",
-                 .menu = "Analyse",
-                 .label = "Other side of the section",
-                 .help = "Keep the half that the section plane cuts away.",
-                 .why_not = only_if([&editor] { return editor.view.section.shown; },
-                                    translatable("There is no section plane. Choose Section plane first."))},
-                editor.view.section.flipped));
-  host.table.add(switching({.id = "analyse.colour_blind",
-                            .menu = "Analyse",
-                            .label = "Colour-blind-safe maps",
-                            .help = "Colour maps so that all kinds of colour vision can read them.",
-                            .separator_before = true},
-                           editor.settings.colour_blind_maps));
+  MenuRows rows(host.table, "Analyse");
+  rows.add("analyse.section", "Section plane", "Cut surfaces away beyond a plane.",
+           [&editor] { show_section(editor); }, document,
+           {.keys = "Alt+S", .separator_before = true, .checked = [&editor] {
+              return editor.view.section.shown;
+            }});
+  rows.add_switch(
+      "analyse.section_flip", "Other side of the section", "Keep the half that the section plane cuts away.",
+      editor.view.section.flipped,
+      {.why_not = only_if([&editor] { return editor.view.section.shown; },
+                          translatable("There is no section plane. Choose Section plane first."))});
+  rows.add_switch("analyse.colour_blind", "Colour-blind-safe maps",
+                  "Colour maps so that all kinds of colour vision can read them.",
+                  editor.settings.colour_blind_maps, {.separator_before = true});
 }
 
 /// Four views for four pictures; the views from before come back after it.
@@ -359,22 +315,18 @@ void show_four_meshes(Editor& editor) {
 void add_meshing(CommandHost& host) {
   Editor& editor = host.editor;
   const WhyNot document = needs_document(editor);
-  host.table.add({.id = "analyse.mesh",
-                  .menu = "Analyse",
-                  .label = "Triangles",
-                  .help = "Show the surface as triangles within a tolerance, and maps of their errors.",
-                  .keys = "Ctrl+Alt+T",
-                  .separator_before = true,
-                  .run = [&editor] { show_triangles(editor); },
-                  .why_not = document,
-                  .checked = [&editor] { return editor.meshing.open; }});
-  host.table.add({.id = "analyse.mesh_compare",
-                  .menu = "Analyse",
-                  .label = "Compare four pictures",
-                  .help = "Show meshes made by distance and by normal angle, each with both of its errors.",
-                  .run = [&editor] { show_four_meshes(editor); },
-                  .why_not = document,
-                  .checked = [&editor] { return editor.meshing.comparing(); }});
+  MenuRows(host.table, "Analyse")
+      .add("analyse.mesh", "Triangles",
+           "Show the surface as triangles within a tolerance, and maps of their errors.",
+           [&editor] { show_triangles(editor); }, document,
+           {.keys = "Ctrl+Alt+T", .separator_before = true, .checked = [&editor] {
+              return editor.meshing.open;
+            }});
+  MenuRows(host.table, "Analyse")
+      .add("analyse.mesh_compare", "Compare four pictures",
+           "Show meshes made by distance and by normal angle, each with both of its errors.",
+           [&editor] { show_four_meshes(editor); }, document,
+           {.checked = [&editor] { return editor.meshing.comparing(); }});
 }
 
 }  // namespace
@@ -388,6 +340,74 @@ void add_analyse_commands(CommandHost& host) {
   add_materials(host);
   add_environment_commands(host);
   add_meshing(host);
+}
+
+// Commands that choose the environment which shaded surfaces reflect.
+
+namespace {
+
+std::string environment_menu() {
+  return submenu("View", translatable("Environment"));
+}
+
+bool shows_environment(const Editor& editor, EnvironmentKind kind) {
+  return editor.view.environment && !editor.view.map.map && editor.settings.environment.kind == kind;
+}
+
+void add_made_environments(CommandHost& host) {
+  Editor& editor = host.editor;
+  const WhyNot document = needs_document(editor);
+  for (const EnvironmentKind kind : enum_values<EnvironmentKind>()) {
+    if (kind == EnvironmentKind::file) continue;
+    MenuRows(host.table, environment_menu())
+        .add("environment." + std::string(enum_word(kind)), enum_choice(kind).label,
+             "Let shaded surfaces reflect this environment.",
+             [&editor, kind] { editor.show_environment(kind); }, document,
+             {.while_tool_runs = true,
+              .checked = [&editor, kind] { return shows_environment(editor, kind); }});
+  }
+}
+
+/// Turns by a step; whole turns come back to the same number.
+void turn_environment(Editor& editor, double degrees) {
+  double& turn = editor.settings.environment.turn;
+  turn += degrees;
+  if (turn >= 360) turn -= 360;
+  if (turn < 0) turn += 360;
+}
+
+void add_environment_turns(CommandHost& host) {
+  Editor& editor = host.editor;
+  const WhyNot shown =
+      only_if([&editor] { return editor.view.environment; },
+              translatable("No environment is shown. Choose Environment in the menu Analyse first."));
+  MenuRows rows(host.table, environment_menu());
+  rows.next_group();
+  const auto add = [&](const char* id, const char* label, const char* help, double degrees) {
+    rows.add(id, label, help, [&editor, degrees] { turn_environment(editor, degrees); }, shown,
+             {.while_tool_runs = true});
+  };
+  constexpr double step = 15;
+  add("environment.turn_left", "Turn to the left",
+      "Turn the environment by 15 degrees, clockwise from above.", -step);
+  add("environment.turn_right", "Turn to the right",
+      "Turn the environment by 15 degrees, anticlockwise from above.", step);
+}
+
+}  // namespace
+
+void add_environment_commands(CommandHost& host) {
+  Editor& editor = host.editor;
+  CommandServices& services = host.services;
+  add_made_environments(host);
+  MenuRows(host.table, environment_menu())
+      .add("environment.file", "Picture file\u2026",
+           "Let shaded surfaces reflect a panorama: a Radiance, PNG or JPEG picture twice as wide as high.",
+           [&services] { services.choose_environment(); }, needs_document(editor),
+           {.while_tool_runs = true, .needs_window = true, .checked = [&editor] {
+              return shows_environment(editor, EnvironmentKind::file);
+            }});
+  add_environment_turns(host);
 }
 
 }  // namespace hariko

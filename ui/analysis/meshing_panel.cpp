@@ -9,10 +9,12 @@
 
 #include "ui/base/icons.hpp"
 #include "ui/base/quantity.hpp"
-#include "ui/base/text_lines.hpp"
 #include "ui/view/legend.hpp"
 #include "ui/widgets/enum_labels.hpp"
+#include "ui/widgets/items.hpp"
+#include "ui/widgets/lists.hpp"
 #include "ui/widgets/number_slider.hpp"
+#include "ui/widgets/option_fields.hpp"
 #include "ui/widgets/panels.hpp"
 #include "ui/widgets/tips.hpp"
 #include "ui/widgets/value_fields.hpp"
@@ -25,7 +27,7 @@ constexpr float value_column = 116, histogram_height = 48;
 
 struct Row {
   const char *id, *label, *help;
-  double low, high;  ///< of lengths: times the object's size
+  double low, high;  ///< lengths: times the object's size
   bool length = false;
   const char* format = "%.3g\u00b0";
 };
@@ -63,11 +65,10 @@ void adapt(Meshing& meshing, const Object& object) {
 void criterion_row(PanelContext& context, Meshing& meshing, std::size_t index) {
   const Row& row = rows[index];
   MeshingSettings::Tolerance& own = meshing.settings.tolerances[index];
-  const Language& tr = context.tr;
   ImGui::PushID(row.id);
-  ImGui::Checkbox(tr(row.label), &own.on);
-  context.marks.item(std::string("meshing.") + row.id + ".on");
-  if (ImGui::IsItemHovered()) show_tip(tr(row.help));
+  const std::string mark = std::string("meshing.") + row.id;
+  option_check(context, (mark + ".on").c_str(), row.label, row.help, own.on);
+  point_out(context, mark.c_str());
   ImGui::SameLine(context.metrics.px(value_column + 16));
   const double factor = row.length ? meshing.size : 1;
   const double low = row.low * factor, high = row.high * factor;
@@ -76,10 +77,9 @@ void criterion_row(PanelContext& context, Meshing& meshing, std::size_t index) {
   {
     const Disabled disabled(!own.on);
     number_slider(
-        "##value",
+        context.marks, mark,
         {low, high, format.c_str(), ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_NoRoundToFormat},
         own.value);
-    context.marks.item(std::string("meshing.") + row.id);
   }
   if (!std::isfinite(own.value)) own.value = low;
   ImGui::PopID();
@@ -95,45 +95,33 @@ void way_rows(PanelContext& context, MeshingSettings& settings) {
                                    std::optional(settings.split)))
       settings.split = *chosen;
   }
-  const auto check = [&](const char* id, const char* label, const char* help, bool& on) {
-    ImGui::Checkbox((std::string(context.tr(label)) + "##" + id).c_str(), &on);
-    context.marks.item(std::string("meshing.") + id);
-    if (ImGui::IsItemHovered()) show_tip(context.tr(help));
-  };
-  check("optimise", translatable("Fewest"),
-        translatable("Looks for the smallest mesh within the tolerance. Takes many times longer."),
-        settings.optimise);
+  option_check(context, "meshing.optimise", "Fewest",
+               "Looks for the smallest mesh within the tolerance. Takes many times longer.",
+               settings.optimise);
+  point_out(context, "meshing.optimise");
   ImGui::SameLine(context.metrics.px(value_column + 16));
-  check("balanced", translatable("Balanced"),
-        translatable("Vertices may leave the surface where it is bent one way only: fewer still"),
-        settings.balanced);
+  option_check(context, "meshing.balanced", "Balanced",
+               "Vertices may leave the surface where it is bent one way only: fewer still",
+               settings.balanced);
+  point_out(context, "meshing.balanced");
 }
 
-/// Three digits are enough for a glance.
-std::string short_text(const PanelContext& context, MeshShown shown, double value) {
-  if (shown != MeshShown::distance) return format_quantity(angle_quantity(), value);
-  return format_number(value, 3) + " " + std::string(to_string(context.editor.document().unit));
-}
-
-/// What is known of one kind of error, as a line of a table.
+/// Line of a table with what is known of one kind of error.
 void error_line(PanelContext& context, MeshShown shown, const MeshErrors& errors) {
   const Language& tr = context.tr;
-  ImGui::TableNextRow();
-  ImGui::TableNextColumn();
-  {
-    const TextColour dim(palette().dim_text);
-    ImGui::TextUnformatted(tr(shown_names[std::size_t(shown)]));
-  }
-  ImGui::TableNextColumn();
-  ImGui::TextUnformatted(short_text(context, shown, errors.largest).c_str());
+  const Unit unit = context.editor.document().unit;
+  next_cell();
+  dim_text(tr(shown_names[std::size_t(shown)]));
+  next_cell();
+  plain_text(short_text(shown, errors.largest, unit));
   if (errors.bound && ImGui::IsItemHovered())
     show_tip(fill(tr("No point is off by more than {0}: this is proven, not sampled."),
-                  {short_text(context, shown, *errors.bound)}));
-  ImGui::TableNextColumn();
-  ImGui::TextUnformatted(short_text(context, shown, errors.mean).c_str());
-  ImGui::TableNextColumn();
-  const TextColour colour(errors.bound ? palette().good : palette().dim_text);
-  ImGui::TextUnformatted(errors.bound ? tr("proven") : tr("sampled"));
+                  {short_text(shown, *errors.bound, unit)}));
+  next_cell();
+  plain_text(short_text(shown, errors.mean, unit));
+  next_cell();
+  coloured_text(errors.bound ? palette().good : palette().dim_text,
+                errors.bound ? tr("proven") : tr("sampled"));
 }
 
 Quantity quantity_of(const PanelContext& context, MeshShown shown, double size) {
@@ -143,16 +131,15 @@ Quantity quantity_of(const PanelContext& context, MeshShown shown, double size) 
 
 void result_table(PanelContext& context, const MeshingResult& result) {
   const Language& tr = context.tr;
-  if (!ImGui::BeginTable("errors", 4, ImGuiTableFlags_SizingStretchProp | ImGuiTableFlags_NoPadOuterX))
-    return;
+  const OpenScope table = table_scope("errors", 4);
+  if (!table) return;
   for (const char* head : {"", translatable("largest"), translatable("mean"), ""}) {
-    ImGui::TableNextColumn();
-    if (*head) ImGui::TextDisabled("%s", tr(head));
+    next_cell();
+    if (*head) dim_text(tr(head));
   }
   for (const MeshShown shown : {MeshShown::distance, MeshShown::normal, MeshShown::fold}) {
     error_line(context, shown, result.mesh.of(shown));
   }
-  ImGui::EndTable();
 }
 
 /// Bars in the colours of the map, which makes them its legend.
@@ -177,15 +164,13 @@ void histogram(PanelContext& context, MeshShown shown, const MeshErrors& errors)
                        with_alpha(palette().text, 0.45F));
   }
   const Quantity quantity = quantity_of(context, shown, errors.range.high);
-  ImGui::TextDisabled("0");
+  dim_text("0");
   const std::string end = format_quantity(quantity, errors.range.high);
   ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - ImGui::CalcTextSize(end.c_str()).x);
-  ImGui::TextDisabled("%s", end.c_str());
-  if (errors.limited && errors.beyond > 0) {
-    const TextColour colour(palette().warning);
-    text_in_lines(
-        fill(context.tr("grey: above the tolerance, {0} triangles"), {std::to_string(errors.beyond)}));
-  }
+  dim_text(end);
+  if (errors.limited && errors.beyond > 0)
+    coloured_lines(palette().warning, fill(context.tr("grey: above the tolerance, {0} triangles"),
+                                           {std::to_string(errors.beyond)}));
 }
 
 /// Buttons side by side, of which one is down; the one that was pressed. Marks: "<mark>.<number>".
@@ -196,21 +181,16 @@ std::optional<std::size_t> button_row(PanelContext& context, const std::string& 
   const auto count = static_cast<float>(names.size());
   const float width = (ImGui::GetContentRegionAvail().x - (count - 1) * gap) / count;
   std::optional<std::size_t> pressed;
-  ImGui::PushID(mark.c_str());
   // The words need the room beside them.
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {0, ImGui::GetStyle().FramePadding.y});
   for (std::size_t i = 0; i < names.size(); ++i) {
     if (i > 0) ImGui::SameLine(0, gap);
     const bool on = current == i;
     if (on) ImGui::PushStyleColor(ImGuiCol_Button, palette().field_active);
-    ImGui::PushID(int(i));
-    if (ImGui::Button(context.tr(names[i]), {width, 0})) pressed = i;
-    ImGui::PopID();
-    context.marks.item(mark + "." + std::to_string(i));
+    if (text_button(context.marks, mark + "." + std::to_string(i), context.tr(names[i]), width)) pressed = i;
     if (on) ImGui::PopStyleColor();
   }
   ImGui::PopStyleVar();
-  ImGui::PopID();
   return pressed;
 }
 
@@ -228,7 +208,6 @@ void shown_rows(PanelContext& context, Meshing& meshing) {
 }
 
 void progress_row(PanelContext& context, Meshing& meshing) {
-  const Language& tr = context.tr;
   if (!meshing.job) {
     if (meshing.stopped) {
       hint_text(context, "Stopped. Change something to go on.");
@@ -239,15 +218,10 @@ void progress_row(PanelContext& context, Meshing& meshing) {
     return;
   }
   const float button = context.metrics.px(72);
-  ImGui::ProgressBar(static_cast<float>(percent_of(*meshing.job)) / 100.0F,
-                     {ImGui::GetContentRegionAvail().x - button - ImGui::GetStyle().ItemSpacing.x, 0},
-                     fill(tr("{0} %"), {std::to_string(percent_of(*meshing.job))}).c_str());
-  ImGui::SameLine();
-  if (ImGui::Button((std::string(tr("Stop")) + "##meshing").c_str(), {button, 0})) {
-    meshing.job->cancel.cancel();
-    meshing.stopped = true;
-  }
-  context.marks.item("meshing.stop");
+  const float bar = ImGui::GetContentRegionAvail().x - button - ImGui::GetStyle().ItemSpacing.x;
+  if (!job_bar(context.marks, "meshing.stop", *meshing.job, bar, context.tr("Stop"), button)) return;
+  meshing.job->cancel.cancel();
+  meshing.stopped = true;
 }
 
 void results(PanelContext& context, Meshing& meshing, const std::shared_ptr<const Object>& object) {
@@ -255,25 +229,15 @@ void results(PanelContext& context, Meshing& meshing, const std::shared_ptr<cons
   const MeshingResult* result =
       meshing.result && meshing.result->object->id == object->id ? meshing.result.get() : nullptr;
   if (!result) return hint_text(context, "Making triangles\u2026");
-  if (result->error) {
-    const TextColour colour(palette().error);
-    text_in_lines(tr.text_of(*result->error));
-    return;
-  }
-  {
-    const TextColour colour(result->settings == meshing.settings && result->object == object
-                                ? palette().text
-                                : palette().dim_text);
-    ImGui::TextUnformatted(fill(tr("{0} triangles, {1} vertices"),
-                                {std::to_string(result->mesh.facets), std::to_string(result->mesh.vertices)})
-                               .c_str());
-  }
+  if (result->error) return coloured_lines(palette().error, tr.text_of(*result->error));
+  const bool present = result->settings == meshing.settings && result->object == object;
+  coloured_text(present ? palette().text : palette().dim_text,
+                fill(tr("{0} triangles, {1} vertices"),
+                     {std::to_string(result->mesh.facets), std::to_string(result->mesh.vertices)})
+                    .c_str());
   context.marks.item("meshing.count." + std::to_string(result->mesh.facets));
   result_table(context, *result);
-  for (const Message& warning : result->mesh.warnings) {
-    const TextColour colour(palette().warning);
-    text_in_lines(tr.text_of(warning));
-  }
+  for (const Message& warning : result->mesh.warnings) coloured_lines(palette().warning, tr.text_of(warning));
 }
 
 }  // namespace
@@ -287,7 +251,6 @@ void draw_meshing(PanelContext& context, const PanelRect& rect) {
     heading(context, "Triangles");
     ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - m.px(24));
     if (icon_button(context, icon::close, "meshing.close", "Close", false, 24)) context.run("analyse.mesh");
-    context.marks.item("meshing.close");
     const auto object = meshed_object(editor.document(), editor.selection.active);
     if (!object) {
       hint_text(context, "There is no visible surface to mesh.");
@@ -295,7 +258,7 @@ void draw_meshing(PanelContext& context, const PanelRect& rect) {
       return;
     }
     adapt(meshing, *object);
-    ImGui::TextDisabled("%s", object->name.c_str());
+    dim_text(object->name);
     ImGui::Dummy({0, m.px(4)});
     const MeshingSettings before = meshing.settings;
     for (std::size_t i = 0; i < rows.size(); ++i) criterion_row(context, meshing, i);
@@ -314,13 +277,12 @@ void draw_meshing(PanelContext& context, const PanelRect& rect) {
       histogram(context, meshing.shown, shown->mesh.of(meshing.shown));
     ImGui::Dummy({0, m.px(2)});
     const bool comparing = meshing.comparing();
-    if (ImGui::Button(comparing ? tr("Back to one picture") : tr("Compare four pictures"), {-1, 0}))
+    if (text_button(context.marks, "meshing.compare",
+                    comparing ? tr("Back to one picture") : tr("Compare four pictures"), -1))
       context.run("analyse.mesh_compare");
-    context.marks.item("meshing.compare");
     if (ImGui::IsItemHovered())
       show_tip(tr("Meshes made by distance and by normal angle, each with both of its errors, side by side"));
-    if (ImGui::Button(tr("Export\u2026"), {-1, 0})) context.run("file.export");
-    context.marks.item("meshing.export");
+    if (text_button(context.marks, "meshing.export", tr("Export\u2026"), -1)) context.run("file.export");
   }
   ImGui::End();
 }

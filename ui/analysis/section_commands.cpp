@@ -13,13 +13,6 @@ namespace hariko {
 
 namespace {
 
-Box3 box_to_cut(const Editor& editor) {
-  Box3 box;
-  for (const auto& object : editor.document().objects)
-    if (object->visible && has_shape(*object)) box.extend(world_box(*object));
-  return box;
-}
-
 /// Whether a plane of the set meets a box.
 bool meets_box(const SectionPlanes& planes, const Box3& box) {
   const double half = 0.5 * planes.direction.cwiseAbs().dot(box.sizes()),
@@ -33,8 +26,7 @@ WhyNot needs_something_to_cut(const Editor& editor) {
   return only_if(
       needs_document(editor),
       [&editor] {
-        const auto& objects = editor.document().objects;
-        return std::any_of(objects.begin(), objects.end(), [](const auto& object) {
+        return std::ranges::any_of(editor.document().objects, [](const auto& object) {
           return object->visible && object->display.surface && has_shape(*object);
         });
       },
@@ -54,23 +46,18 @@ void scale_section_combs(Editor& editor, double factor) {
 
 void add_section_combs(CommandHost& host, const std::string& menu) {
   Editor& editor = host.editor;
-  host.table.add(switching({.id = "analyse.section_combs",
-                            .menu = menu,
-                            .label = "Combs on section curves",
-                            .help = "Show teeth as long as the section curves are curved, all of one scale.",
-                            .separator_before = true,
-                            .why_not = needs_section_curves(editor)},
-                           editor.sections.combs.shown));
+  MenuRows(host.table, menu)
+      .add_switch("analyse.section_combs", "Combs on section curves",
+                  "Show teeth as long as the section curves are curved, all of one scale.",
+                  editor.sections.combs.shown,
+                  {.separator_before = true, .why_not = needs_section_curves(editor)});
   const WhyNot combs = only_if(
       needs_section_curves(editor), [&editor] { return editor.sections.combs.shown; },
       translatable("The combs on section curves are not shown."));
   const auto add = [&](const char* id, const char* label, const char* help, double factor) {
-    host.table.add({.id = id,
-                    .menu = menu,
-                    .label = label,
-                    .help = help,
-                    .run = [&editor, factor] { scale_section_combs(editor, factor); },
-                    .why_not = combs});
+    MenuRows(host.table, menu)
+        .add(
+            id, label, help, [&editor, factor] { scale_section_combs(editor, factor); }, combs);
   };
   add("analyse.section_longer", "Longer section teeth", "Double the length of the teeth on section curves.",
       2);
@@ -100,29 +87,20 @@ void turn_section_planes(Editor& editor, const Vector3& direction) {
 void add_section_curve_commands(CommandHost& host) {
   Editor& editor = host.editor;
   const std::string menu = submenu("Analyse", translatable("Section curves"));
-  host.table.add(
-      {.id = "analyse.section_curves",
-       .menu = menu,
-       .label = "Section curves",
-       .help = "Show the curves in which several planes cut all visible surfaces, with curvature combs.",
-       .run = [&editor] { show_section_curves(editor, !editor.sections.shown); },
-       .why_not = needs_something_to_cut(editor),
-       .checked = [&editor] { return editor.sections.shown; }});
-  host.table.add({.id = "analyse.section_spread",
-                  .menu = menu,
-                  .label = "Spread section planes",
-                  .help = "Spread the section planes evenly over what is visible.",
-                  .run = [&editor] { spread_sections(editor); },
-                  .why_not = needs_section_curves(editor)});
+  MenuRows rows(host.table, menu);
+  rows.add("analyse.section_curves", "Section curves",
+           "Show the curves in which several planes cut all visible surfaces, with curvature combs.",
+           [&editor] { show_section_curves(editor, !editor.sections.shown); }, needs_something_to_cut(editor),
+           {.checked = [&editor] { return editor.sections.shown; }});
+  rows.add(
+      "analyse.section_spread", "Spread section planes",
+      "Spread the section planes evenly over what is visible.", [&editor] { spread_sections(editor); },
+      needs_section_curves(editor));
   add_section_combs(host, menu);
-  host.table.add({.id = "analyse.section_export",
-                  .menu = menu,
-                  .label = "Export section curves\u2026",
-                  .help = "Write the section curves at full size as SVG or DXF.",
-                  .separator_before = true,
-                  .needs_window = true,
-                  .run = [&services = host.services] { services.export_sections(); },
-                  .why_not = needs_section_curves(editor)});
+  rows.add("analyse.section_export", "Export section curves\u2026",
+           "Write the section curves at full size as SVG or DXF.",
+           [&services = host.services] { services.export_sections(); }, needs_section_curves(editor),
+           {.separator_before = true, .needs_window = true});
   use_sections_in_scripts(host);
 }
 

@@ -70,9 +70,8 @@ bool covered(const DrawnIcon::Stroke& stroke, Point p) {
 }
 
 bool covered(const DrawnIcon& icon, Point p) {
-  return std::any_of(icon.fills.begin(), icon.fills.end(),
-                     [&](const auto& fill) { return inside(fill, p); }) ||
-         std::any_of(icon.strokes.begin(), icon.strokes.end(), [&](const auto& s) { return covered(s, p); });
+  return std::ranges::any_of(icon.fills, [&](const auto& fill) { return inside(fill, p); }) ||
+         std::ranges::any_of(icon.strokes, [&](const auto& s) { return covered(s, p); });
 }
 
 }  // namespace

@@ -77,7 +77,7 @@ std::vector<Place> usual_places(const fs::path& home, const fs::path& config,
     if (folder.empty() || !fs::is_directory(folder, error)) return;
     const fs::path clean = folder.lexically_normal();
     const auto same = [&](const Place& place) { return place.folder == clean; };
-    if (std::any_of(places.begin(), places.end(), same)) return;
+    if (std::ranges::any_of(places, same)) return;
     const std::string name = clean.filename().string();
     places.push_back({std::move(id), name.empty() ? clean.string() : name, clean});
   };

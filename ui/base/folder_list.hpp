@@ -34,7 +34,7 @@ void sort_entries(std::vector<FolderEntry>& entries, FolderOrder order, bool des
 /// A usual place of files: a name and a folder that exists.
 struct Place {
   std::string id;    ///< "home", "recent.0"
-  std::string name;  ///< of the folder
+  std::string name;  ///< the folder's
   std::filesystem::path folder;
 };
 

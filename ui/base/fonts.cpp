@@ -155,6 +155,12 @@ bool needs_japanese_font(char32_t character) {
          character > 0x2e00;
 }
 
+bool fonts_can_write(std::string_view text) {
+  if (japanese_font_installed()) return true;
+  const std::u32string characters = code_points(text);
+  return std::ranges::none_of(characters, needs_japanese_font);
+}
+
 namespace {
 
 /// The icons that the program uses.
@@ -234,7 +240,7 @@ void load_fonts(const FontRequest& request) {
 }
 
 ImFont* title_font() {
-  // Where fonts are missing there is only the one.
+  // The last font, which is the only one where fonts are missing.
   return ImGui::GetIO().Fonts->Fonts.back();
 }
 

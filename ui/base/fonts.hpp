@@ -4,7 +4,7 @@
 // needs it.
 
 #include <set>
-#include <string>
+#include <string_view>
 
 struct ImFont;
 
@@ -23,8 +23,10 @@ struct FontRequest {
 bool japanese_font_installed();
 /// Whether this character is in the font for Japanese only.
 bool needs_japanese_font(char32_t character);
+/// Whether a text has no characters of a font that is not installed.
+bool fonts_can_write(std::string_view text);
 
-/// Which of the fonts that this program is made for is not installed, as a sentence; null where all are.
+/// Sentence that names a font that this program is made for and that is not installed; null where all are.
 const char* missing_fonts();
 
 /// Fills ImGui's atlas anew; between frames only, and the backend must take up the atlas afterwards. Where no

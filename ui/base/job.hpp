@@ -3,15 +3,15 @@
 // Job: long work that the status line shows, with how far it is, and a way to stop it.
 
 #include <algorithm>
-#include <string>
 
 #include "core/base/cancellation.hpp"
 #include "core/base/progress.hpp"
+#include "ui/base/language.hpp"
 
 namespace hariko {
 
 struct Job {
-  std::string text;  ///< "Exporting vase.obj", in English
+  Phrase text;  ///< "Exporting vase.obj"
   bool can_be_cancelled = false;
   CancelToken cancel;
   Progress progress;
@@ -21,5 +21,7 @@ struct Job {
 inline int percent_of(const Job& job) {
   return static_cast<int>(100 * std::max(0.0, job.progress.fraction()));
 }
+
+inline constexpr const char* placing_columns_job = translatable("Placing columns");
 
 }  // namespace hariko

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 
 namespace hariko {
 
@@ -92,8 +93,7 @@ std::optional<KeyChord> KeyChord::parse(std::string_view text) {
     chord.key = key;
     return chord;
   }
-  const auto it =
-      std::find_if(key_names.begin(), key_names.end(), [&](const KeyName& e) { return e.name == text; });
+  const auto it = std::ranges::find_if(key_names, [&](const KeyName& e) { return e.name == text; });
   if (it == key_names.end()) return {};
   chord.key = it->key;
   return chord;
@@ -115,7 +115,7 @@ std::string KeyChord::to_string() const {
 
 bool KeyChord::is_known() const {
   return is_plain(key) || (key >= GLFW_KEY_F1 && key < GLFW_KEY_F1 + function_keys) ||
-         std::any_of(key_names.begin(), key_names.end(), [this](const KeyName& e) { return e.key == key; });
+         std::ranges::any_of(key_names, [this](const KeyName& e) { return e.key == key; });
 }
 
 std::optional<std::vector<KeyChord>> parse_keys(std::string_view text) {
@@ -145,6 +145,29 @@ std::vector<KeyChord> all_chords() {
       if (chord.is_known()) out.push_back(chord);
     }
   return out;
+}
+
+std::vector<char> menu_letters(const std::vector<std::string>& menus) {
+  std::vector<char> letters;
+  for (const std::string& menu : menus) {
+    char own = 0;
+    for (const char c : menu) {
+      const auto letter = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+      if (letter < 'A' || letter > 'Z' || std::find(letters.begin(), letters.end(), letter) != letters.end())
+        continue;
+      own = letter;
+      break;
+    }
+    letters.push_back(own);
+  }
+  return letters;
+}
+
+const std::string* menu_of_letter(const std::vector<std::string>& menus, int key) {
+  const std::vector<char> letters = menu_letters(menus);
+  const auto found = std::find(letters.begin(), letters.end(), static_cast<char>(key));
+  if (key < 'A' || key > 'Z' || found == letters.end()) return nullptr;
+  return &menus[static_cast<std::size_t>(found - letters.begin())];
 }
 
 }  // namespace hariko

@@ -1,21 +1,41 @@
 #include "ui/base/language.hpp"
 
 #include <algorithm>
+#include <cstdint>
 #include <cstring>
-#include <fstream>
-#include <nlohmann/json.hpp>
 #include <set>
+#include <system_error>
 #include <utility>
+
+#include "core/base/files/file_io.hpp"
+#include "ui/base/language_files.hpp"
+#include "ui/base/text_number.hpp"
 
 namespace hariko {
 
 namespace {
 
-/// The number of a placeholder that stands at i; nothing when there is none.
-std::optional<std::size_t> placeholder_at(std::string_view text, std::size_t i) {
-  if (i + 2 >= text.size() || text[i] != '{' || text[i + 2] != '}') return {};
-  if (text[i + 1] < '0' || text[i + 1] > '9') return {};
-  return static_cast<std::size_t>(text[i + 1] - '0');
+/// Stands between a context and the text.
+constexpr char context_end = '\4';
+
+const char* without_context(const char* english) {
+  const char* end = std::strchr(english, context_end);
+  return end ? end + 1 : english;
+}
+
+/// The argument that is the count of a text with a plural: the last one before the first difference of the
+/// two, or the first one.
+std::size_t counted_argument(std::string_view one, std::string_view many) {
+  const auto difference = static_cast<std::size_t>(
+      std::mismatch(one.begin(), one.end(), many.begin(), many.end()).second - many.begin());
+  std::optional<std::size_t> first, last;
+  for (std::size_t i = 0; i < many.size(); ++i)
+    if (const auto number = placeholder_at(many, i)) {
+      if (!first) first = number;
+      if (i < difference) last = number;
+    }
+  if (one == many) last = first;
+  return last.value_or(first.value_or(0));
 }
 
 }  // namespace
@@ -38,40 +58,23 @@ std::u32string code_points(std::string_view utf8) {
   return out;
 }
 
-std::string fill(std::string_view pattern, std::span<const std::string> arguments) {
-  std::string out;
-  for (std::size_t i = 0; i < pattern.size(); ++i) {
-    const auto number = placeholder_at(pattern, i);
-    if (!number || *number >= arguments.size()) {
-      out += pattern[i];
-      continue;
-    }
-    out += arguments[*number];
-    i += 2;
-  }
-  return out;
-}
-
-std::string fill(std::string_view pattern, std::initializer_list<std::string> arguments) {
-  return fill(pattern, std::span(arguments.begin(), arguments.size()));
-}
-
 Result<Language> Language::load(const std::filesystem::path& path) {
-  const auto failed = [&](const char* sentence, const std::string& detail = {}) {
-    return make_error(e_catalogue, fill(sentence, {path.filename().string(), detail}),
-                      "Install the program's assets again. English is used until then.");
-  };
-  std::ifstream in(path);
-  if (!in) return failed(translatable("The catalogue {0} cannot be read."));
-  const auto json = nlohmann::json::parse(in, nullptr, false);
-  if (!json.is_object()) return failed(translatable("The catalogue {0} is not a JSON object."));
+  auto bytes = read_file(path, largest_catalogue);
+  if (!bytes) return make_error(e_catalogue, bytes.error().text, catalogue_remedy);
+  auto read = read_po(*bytes);
+  if (!read) return error_in_catalogue(path, read.error());
   Language language;
-  for (const auto& [english, translation] : json.items()) {
-    if (!translation.is_string())
-      return failed(translatable("The catalogue {0} has an entry that is not a string: {1}."), english);
-    language.translations_.emplace(english, translation.get<std::string>());
-    Pattern pattern = cut(english, translation.get<std::string>());
-    if (!pattern.numbers.empty()) language.patterns_.push_back(std::move(pattern));
+  auto forms = PluralForms::parse(read.value().header["Plural-Forms"]);
+  if (!forms) return error_in_catalogue(path, forms.error());
+  language.forms_ = *std::move(forms);
+  for (PoEntry& entry : read.value().entries) {
+    const std::size_t expected = entry.plural.empty() ? 1 : language.forms_.count();
+    if (entry.translations.size() != expected)
+      return error_in_catalogue(path, make_error(e_catalogue,
+                                                 "Line " + std::to_string(entry.line) +
+                                                     ": The entry needs one msgstr for each plural form.",
+                                                 catalogue_remedy, {Element::Kind::line, entry.line}));
+    if (entry.translated()) language.add(std::move(entry));
   }
   const auto text_of_pattern = [](const Pattern& pattern) {
     std::size_t length = 0;
@@ -81,12 +84,40 @@ Result<Language> Language::load(const std::filesystem::path& path) {
   std::stable_sort(
       language.patterns_.begin(), language.patterns_.end(),
       [&](const Pattern& a, const Pattern& b) { return text_of_pattern(a) > text_of_pattern(b); });
+  for (std::size_t i = 0; i < language.patterns_.size(); ++i)
+    language.pattern_of_.emplace(language.patterns_[i].english, i);
   return language;
 }
 
-Language::Pattern Language::cut(const std::string& english, const std::string& translation) {
+void Language::add(PoEntry entry) {
+  const std::string context = entry.context.empty() ? std::string() : entry.context + context_end;
+  const Forms& forms = entry.translations;
+  if (entry.plural.empty()) {
+    add_pattern(entry.text, forms, 0);
+    translations_.emplace(context + entry.text, forms.front());
+    return;
+  }
+  const std::size_t place = counted_argument(entry.text, entry.plural);
+  add_pattern(entry.plural, forms, place);
+  if (entry.text != entry.plural) add_pattern(entry.text, forms, place);
+  // Callers without a count fill the places themselves; a text for one that has no place is complete.
+  translations_.emplace(context + entry.plural, forms.back());
+  const std::string& one = forms[forms_.form(1)];
+  translations_.emplace(context + entry.text, cut(entry.text).numbers.empty() ? fill(one, {"1"}) : one);
+  plurals_.emplace(context + entry.text, std::move(entry.translations));
+}
+
+void Language::add_pattern(const std::string& english, const Forms& translations, std::size_t place) {
+  Pattern pattern = cut(english);
+  if (pattern.numbers.empty()) return;
+  pattern.translations = translations;
+  pattern.counted = place;
+  patterns_.push_back(std::move(pattern));
+}
+
+Language::Pattern Language::cut(const std::string& english) {
   Pattern pattern;
-  pattern.translation = translation;
+  pattern.english = english;
   std::string literal;
   for (std::size_t i = 0; i < english.size(); ++i) {
     const auto number = placeholder_at(english, i);
@@ -123,6 +154,15 @@ std::optional<std::vector<std::string>> Language::match(const Pattern& pattern, 
   return arguments;
 }
 
+const std::string& Language::form_for(const Pattern& pattern,
+                                      const std::vector<std::string>& arguments) const {
+  if (pattern.translations.size() == 1) return pattern.translations.front();
+  if (pattern.counted < arguments.size())
+    if (const auto count = number_in<std::uint64_t>(arguments[pattern.counted]))
+      return pattern.translations[forms_.form(*count)];
+  return pattern.translations.back();
+}
+
 std::optional<std::string> Language::find_phrase(std::string_view english, Entries entries) const {
   const auto it = translations_.find(english);
   if (it != translations_.end()) return it->second;
@@ -131,10 +171,11 @@ std::optional<std::string> Language::find_phrase(std::string_view english, Entri
     // Labels such as "{0} of {1}" are found in many sentences.
     if (entries == Entries::sentences && (end.empty() || !std::strchr(".?!", end.back()))) continue;
     if (auto arguments = match(pattern, english)) {
+      const std::string& translation = form_for(pattern, *arguments);
       for (std::string& argument : *arguments)
         if (const auto known = translations_.find(argument); known != translations_.end())
           argument = known->second;
-      return fill(pattern.translation, *arguments);
+      return fill(translation, *arguments);
     }
   }
   return {};
@@ -166,21 +207,43 @@ std::string Language::phrase(std::string_view english) const {
   return find_phrase(english).value_or(std::string(english));
 }
 
+std::string Language::operator()(const Phrase& text) const {
+  if (text.arguments().empty()) return phrase(text.english());
+  if (const auto at = pattern_of_.find(text.pattern()); at != pattern_of_.end())
+    return fill(form_for(patterns_[at->second], text.arguments()), text.arguments());
+  // A text for one that does not say the number.
+  if (const auto at = translations_.find(text.pattern()); at != translations_.end())
+    return fill(at->second, text.arguments());
+  return text.english();
+}
+
+std::string Language::counted(std::size_t count, const char* one, const char* many) const {
+  const std::string number = std::to_string(count);
+  const auto it = plurals_.find(std::string_view(one));
+  if (it == plurals_.end()) return fill((*this)(count == 1 ? one : many), {number});
+  return fill(it->second[forms_.form(count)], {number});
+}
+
 std::u32string Language::characters() const {
   std::set<char32_t> points;
   for (const auto& [english, translation] : translations_)
     for (const char32_t point : code_points(translation)) points.insert(point);
+  for (const auto& [english, forms] : plurals_)
+    for (const std::string& form : forms)
+      for (const char32_t point : code_points(form)) points.insert(point);
   return {points.begin(), points.end()};
 }
 
 const char* Language::operator()(const char* english) const {
   const auto it = translations_.find(std::string_view(english));
-  return it == translations_.end() ? english : it->second.c_str();
+  return it == translations_.end() ? without_context(english) : it->second.c_str();
 }
 
 std::string Language::operator()(const std::string& english) const {
   const auto it = translations_.find(english);
-  return it == translations_.end() ? english : it->second;
+  if (it != translations_.end()) return it->second;
+  const std::size_t end = english.find(context_end);
+  return end == std::string::npos ? english : english.substr(end + 1);
 }
 
 bool Language::has(std::string_view english) const {

@@ -22,7 +22,7 @@ struct Quantity {
   bool multiplies = false;          ///< steps are factors: for values that live on a logarithmic scale
   double low = -std::numeric_limits<double>::infinity(), high = std::numeric_limits<double>::infinity();
   bool whole = false;                   ///< whole numbers only
-  std::optional<double> standard = {};  ///< that "Reset to default" sets
+  std::optional<double> standard = {};  ///< value that "Reset to default" sets
 };
 
 /// A length in a unit: three decimals after the leading digit of `size`, the size of the model.
@@ -44,7 +44,7 @@ std::string format_quantity(const Quantity& quantity, double value);
 /// All digits, for copying: reading it back gives the same bits. With the unit.
 std::string exact_text(const Quantity& quantity, double value);
 
-/// What a number field asks of each value that it stands for.
+/// Change that a number field asks of each value that it stands for.
 struct ValueChange {
   enum class Kind { set, add, multiply };
   Kind kind = Kind::set;

@@ -15,7 +15,7 @@ namespace hariko {
 
 struct ReferenceView {
   std::shared_ptr<const ReferenceImage> image;  ///< null while it is decoded, where it is hidden, on an error
-  std::optional<Message> error;                 ///< why there is none
+  std::optional<Message> error;                 ///< reason why there is none
 
   friend bool operator==(const ReferenceView& a, const ReferenceView& b) {
     return a.image == b.image && a.error.has_value() == b.error.has_value();

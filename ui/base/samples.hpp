@@ -10,7 +10,7 @@
 
 namespace hariko {
 
-/// How a model is begun; samples stand under these headings, in this order.
+/// Ways to begin a model; samples stand under these headings, in this order.
 enum class Beginning { polyhedron, solids, sections, outline, other };
 inline constexpr std::array beginnings{Beginning::polyhedron, Beginning::solids, Beginning::sections,
                                        Beginning::outline, Beginning::other};

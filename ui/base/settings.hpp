@@ -8,7 +8,7 @@
 #include "core/base/text/enum_words.hpp"
 #include "core/document/document.hpp"
 #include "render/environment.hpp"
-#include "ui/base/language.hpp"
+#include "ui/base/language_files.hpp"
 
 namespace hariko {
 
@@ -16,7 +16,7 @@ enum class ThemeId { dark, light };
 template <>
 inline constexpr auto enum_words<ThemeId> = all_words<ThemeId>({{ThemeId::dark, "dark"},
                                                                 {ThemeId::light, "light"}});
-/// Which buttons and modifiers move the view, by the products whose users know them.
+/// Presets of buttons and modifiers that move the view, by the products whose users know them.
 enum class NavigationPreset { hariko, blender, maya, rhino, trackpad };
 template <>
 inline constexpr auto enum_words<NavigationPreset> =
@@ -46,10 +46,10 @@ struct EnvironmentSettings {
 
 struct Settings {
   ThemeId theme = ThemeId::dark;
-  LanguageId language = LanguageId::english;
-  float interface_scale = 1;  ///< on top of the monitor's own, 0.5 .. 3
+  std::string language = english_id;  ///< id of its catalogue, or `english_id`
+  float interface_scale = 1;          ///< on top of the monitor's own, 0.5 .. 3
   bool colour_blind_maps = false;
-  Unit unit = Unit::millimetre;  ///< of new documents
+  Unit unit = Unit::millimetre;  ///< unit of new documents
 
   NavigationPreset navigation = NavigationPreset::hariko;
   bool trackball = false;  ///< else turntable
@@ -67,8 +67,8 @@ struct Settings {
   static constexpr double most_autosave_seconds = 25;
   double autosave_seconds = 20;             ///< 1 .. most_autosave_seconds
   std::map<std::string, std::string> keys;  ///< command id to keys that replace the default; "" for none
-  float side_width = 312;                   ///< of the right panel, design pixels
-  float objects_height = 0;                 ///< of the list of objects, design pixels; 0: as its rows need
+  float side_width = 312;                   ///< width of the right panel, design pixels
+  float objects_height = 0;                 ///< height of the list of objects, design pixels; 0: as rows need
 
   friend bool operator==(const Settings&, const Settings&) = default;
 };

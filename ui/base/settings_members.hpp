@@ -14,7 +14,7 @@ template <class Visitor, class... AnySettings>
 void visit_settings(Visitor& visitor, AnySettings&... s) {
   visitor.choice("theme", s.theme...);
   visitor.number("interface_scale", 0.5, 3, s.interface_scale...);
-  visitor.choice("language", s.language...);
+  visitor.text("language", s.language...);
   visitor.flag("colour_blind_maps", s.colour_blind_maps...);
   visitor.choice("unit", s.unit...);
   visitor.choice("navigation", s.navigation...);

@@ -100,11 +100,6 @@ std::string in_lines(std::string_view text, float width, std::size_t most) {
   return joined;
 }
 
-void text_in_lines(std::string_view text, float right) {
-  const float room = right > 0 ? right - ImGui::GetCursorPosX() : ImGui::GetContentRegionAvail().x;
-  ImGui::TextUnformatted(in_lines(text, std::max(room, 1.0F)).c_str());
-}
-
 std::string local_time_text(std::int64_t unix_seconds) {
   const auto time = static_cast<std::time_t>(unix_seconds);
   std::tm local{};

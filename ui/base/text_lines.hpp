@@ -19,10 +19,6 @@ using MeasureText = std::function<float(std::string_view)>;
 /// line. Spaces at the cuts go. O(pieces), each measured once or twice.
 std::vector<std::string> lines_of(std::string_view text, float width, const MeasureText& measure);
 
-/// Draws a text in such lines, in the font and colour of ImGui. `right` is where lines end at the latest, in
-/// the coordinates of the window; 0 is the edge of its content.
-void text_in_lines(std::string_view text, float right = 0);
-
 /// The lines joined again, for where ImGui draws the text: a tooltip, a label of a card. At most `most`
 /// lines, of which the last one ends with an ellipsis where something is left out.
 std::string in_lines(std::string_view text, float width, std::size_t most = 100);

@@ -115,6 +115,10 @@ const Palette& palette() {
   return *static_cast<const Palette*>(ImGui::GetIO().UserData);
 }
 
+ImU32 axis_colour(int axis, unsigned alpha) {
+  return rgb(axis == 0 ? 0xe5484d : axis == 1 ? 0x46a758 : 0x3e82f7, alpha);
+}
+
 ImU32 with_alpha(ImU32 colour, float alpha) {
   return (colour & ~IM_COL32_A_MASK) | (static_cast<ImU32>(alpha * 255 + 0.5F) << IM_COL32_A_SHIFT);
 }

@@ -16,7 +16,7 @@ struct Palette {
   ImU32 text, dim_text, accent, secondary, error, warning, good;
   ImU32 accent_hover, on_accent;  ///< a filled button under the pointer; text on it
   ImU32 hot;      ///< over the picture: the handle under the pointer, places that attract, lines to be cut
-  ImU32 handle;   ///< of sliders and scroll bars
+  ImU32 handle;   ///< sliders and scroll bars
   ImU32 shade;    ///< over the window behind a dialog
   ImU32 overlay;  ///< behind text over the picture, translucent
 };
@@ -25,6 +25,9 @@ Palette palette_of(ThemeId theme);
 
 /// The palette in use: it belongs to ImGui's context, as the style does (see `apply_theme`).
 const Palette& palette();
+
+/// Red, green and blue for the axes x, y and z.
+ImU32 axis_colour(int axis, unsigned alpha = 0xff);
 
 /// A colour with another opacity, 0 .. 1.
 ImU32 with_alpha(ImU32 colour, float alpha);

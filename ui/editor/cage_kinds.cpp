@@ -1,8 +1,10 @@
 // The kinds of objects with a cage: polyhedra, and patches with their control net.
 
 #include "core/document/edits/edit_attachments.hpp"
+#include "core/modeling/selection/edge_paths.hpp"
 #include "core/modeling/selection/select_convert.hpp"
 #include "core/modeling/selection/select_region.hpp"
+#include "ui/base/language.hpp"
 #include "ui/editor/object_kind.hpp"
 
 namespace hariko {
@@ -37,6 +39,24 @@ class CageKind : public ObjectKind {
                                      : to_faces(polyhedron, selection, reach);
   }
 
+  ElementSelection continued(const Object& object, const Element& element, bool ring) const override {
+    const Polyhedron& polyhedron = *object.cage();
+    if (element.kind != Element::Kind::edge) {
+      Selection one;
+      one.select({object.id, element}, Selection::How::replace);
+      return linked(object, one.of(object.id));
+    }
+    const EdgeId edge = EdgeId::from_packed(element.id);
+    const auto path = ring ? edge_ring(polyhedron, edge) : edge_loop(polyhedron, edge);
+    ElementSelection out;
+    out.edges.insert(path.begin(), path.end());
+    return out;
+  }
+
+  ElementSelection linked(const Object& object, const ElementSelection& selection) const override {
+    return hariko::linked(*object.cage(), selection);
+  }
+
   Element element_at(const Object& object, Element::Kind kind, Index index) const override {
     const Polyhedron& polyhedron = *object.cage();
     // The surface on the screen may be that of an earlier state and know faces that are gone: they have no
@@ -68,6 +88,14 @@ class CageKind : public ObjectKind {
     return Vector3(object.cage_origin() + sum / static_cast<double>(vertices.size()));
   }
 
+  std::vector<Vector3> extent(const Object& object, const ElementSelection& selection) const override {
+    const Polyhedron& polyhedron = *object.cage();
+    std::vector<Vector3> out;
+    for (const VertexId id : touched_vertices(selection, polyhedron))
+      out.push_back(object.cage_origin() + polyhedron.position(polyhedron.find(id)));
+    return out;
+  }
+
   Highlights highlights(const Object& object, const ElementSelection& selection,
                         const DisplayPolyhedron&) const override {
     return highlights_of(selection, *object.cage());
@@ -91,6 +119,8 @@ class CageKind : public ObjectKind {
     }
     return highlights_of(failed, polyhedron);
   }
+
+  ElementsShown elements_shown() const override { return ElementsShown::lines; }
 };
 
 class PolyhedronKind final : public CageKind {
@@ -126,6 +156,20 @@ class PolyhedronKind final : public CageKind {
     const std::size_t pins = source.shaping->pin.size();
     shown.quiet_network = pins > many && 10 * pins >= 9 * std::size_t(source.polyhedron.vertex_count());
   }
+
+  void adjust_in_file(const Object&, SceneObject& shown, std::vector<OverlayLine>&) const override {
+    shown.show_polyhedron = true;
+  }
+
+  bool curves_over_edges() const override { return true; }
+  Stretching stretching() const override { return Stretching::indirect; }
+
+  std::string size_text(const Object& object, const Language& tr) const override {
+    const Polyhedron& p = *object.cage();
+    return fill(
+        tr("{0} vertices  {1} edges  {2} faces"),
+        {std::to_string(p.vertex_count()), std::to_string(p.edge_count()), std::to_string(p.face_count())});
+  }
 };
 
 class PatchesKind final : public CageKind {
@@ -142,6 +186,14 @@ class PatchesKind final : public CageKind {
   /// Points of the net are taken where it is shown.
   void adjust(const Object&, const ViewSettings&, SceneObject& shown) const override {
     shown.elements_pickable = shown.show_polyhedron;
+  }
+
+  Stretching stretching() const override { return Stretching::affine; }
+
+  std::string size_text(const Object& object, const Language& tr) const override {
+    const PatchSource& patches = *object.patches();
+    return fill(tr("patches: {0} \u00d7 {1}"),
+                {std::to_string(patches.columns), std::to_string(patches.rows)});
   }
 };
 

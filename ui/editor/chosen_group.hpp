@@ -23,7 +23,7 @@ class ChosenGroup {
  private:
   struct Chosen {
     GroupId group;
-    Selection selection;  ///< when it was chosen
+    Selection selection;  ///< state when it was chosen
     ElementMode mode = ElementMode::vertex;
   };
   std::optional<Chosen> chosen_;

@@ -293,8 +293,7 @@ Result<Arguments> read_arguments(std::span<const ArgumentSpec> specs,
                                  std::span<const WrittenArgument> written, std::optional<Unit> unit) {
   Arguments out;
   for (const WrittenArgument& argument : written) {
-    const auto spec =
-        std::find_if(specs.begin(), specs.end(), [&](const auto& s) { return s.name == argument.name; });
+    const auto spec = std::ranges::find_if(specs, [&](const auto& s) { return s.name == argument.name; });
     if (spec == specs.end()) return unknown_argument(specs, argument.name);
     if (out.has(argument.name)) return wrong_argument(*spec, "is written twice");
     auto value = value_from({*spec, unit}, argument.value);

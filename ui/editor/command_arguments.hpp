@@ -27,7 +27,7 @@ enum class ArgumentType {
   on_off,
   word,  ///< one of a few
   text,
-  path,  ///< of a file; relative ones begin at the working directory
+  path,  ///< path of a file; relative ones begin at the working directory
   list,  ///< texts; whole numbers count as texts, and one alone needs no list
 };
 /// Word of a type: "number", "whole number" ...
@@ -50,7 +50,7 @@ struct ArgumentSpec {
   bool optional = false;  ///< may be missing without a default: `Arguments::has`
   /// Bounds of numbers, whole numbers and each number of a point; of lengths in the document's unit.
   double low = -std::numeric_limits<double>::infinity(), high = std::numeric_limits<double>::infinity();
-  std::vector<std::string> words = {};  ///< of type `word`
+  std::vector<std::string> words = {};  ///< choices of type `word`
 
   bool required() const { return !standard && !optional; }
 };

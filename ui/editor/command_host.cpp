@@ -34,9 +34,9 @@ Reason no_surface(const Editor& editor, bool curves) {
     return translatable("The chosen object has no surface. Choose another in the list of objects.");
   const SurfaceView* view = curves ? editor.view_of(object.id) : nullptr;
   if (!view || !view->mesh) return {};
-  const auto& all = view->mesh->curves()->curves;
-  if (std::none_of(all.begin(), all.end(),
-                   [](const DisplayCurve& curve) { return curve.source.kind == Element::Kind::edge; }))
+  if (std::ranges::none_of(view->mesh->curves()->curves, [](const DisplayCurve& curve) {
+        return curve.source.kind == Element::Kind::edge;
+      }))
     return translatable("The surface of the chosen object has no curves over edges.");
   return {};
 }
@@ -62,19 +62,24 @@ WhyNot needs_polyhedron(const Editor& editor) {
 WhyNot needs_elements(const Editor& editor, NeededElements kinds) {
   return [&editor, kinds]() -> Reason {
     if (auto reason = no_polyhedron(editor)) return reason;
-    const ElementSelection& selection = editor.selection.of_active();
-    if ((kinds.vertices && !selection.vertices.empty()) || (kinds.edges && !selection.edges.empty()) ||
-        (kinds.faces && !selection.faces.empty()))
-      return {};
-    if (kinds.vertices && kinds.edges && kinds.faces)
-      return translatable("Nothing is selected. Click a vertex, an edge or a face.");
-    if (kinds.vertices && kinds.edges) return translatable("Nothing is selected. Click a vertex or an edge.");
-    if (kinds.edges && kinds.faces)
-      return translatable("No edges or faces are selected. Press 2 or 3 and click one.");
-    if (kinds.vertices) return translatable("No vertices are selected. Press 1 and click one.");
-    if (kinds.edges) return translatable("No edges are selected. Press 2 and click one.");
-    return translatable("No faces are selected. Press 3 and click one.");
+    if (kinds.among(editor.selection.of_active())) return {};
+    return kinds.missing();
   };
+}
+
+bool NeededElements::among(const ElementSelection& selection) const {
+  return (vertices && !selection.vertices.empty()) || (edges && !selection.edges.empty()) ||
+         (faces && !selection.faces.empty());
+}
+
+const char* NeededElements::missing() const {
+  if (vertices && edges && faces)
+    return translatable("Nothing is selected. Click a vertex, an edge or a face.");
+  if (vertices && edges) return translatable("Nothing is selected. Click a vertex or an edge.");
+  if (edges && faces) return translatable("No edges or faces are selected. Press 2 or 3 and click one.");
+  if (vertices) return translatable("No vertices are selected. Press 1 and click one.");
+  if (edges) return translatable("No edges are selected. Press 2 and click one.");
+  return translatable("No faces are selected. Press 3 and click one.");
 }
 
 WhyNot only_if(std::function<bool()> holds, const char* otherwise) {
@@ -88,14 +93,6 @@ WhyNot only_if(WhyNot first, std::function<bool()> holds, const char* otherwise)
     if (holds()) return {};
     return otherwise;
   };
-}
-
-Command switching(Command row, bool& on) {
-  row.run = [&on] { on = !on; };
-  row.checked = [&on] { return on; };
-  row.script = {.arguments = {optional(on_off_argument("on", row.label, {}))},
-                .run = [&on](const Arguments& given) { on = given.has("on") ? given.on("on") : !on; }};
-  return row;
 }
 
 }  // namespace hariko

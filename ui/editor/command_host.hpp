@@ -28,11 +28,8 @@ inline std::string submenu(const char* menu, const char* folder) {
   return std::string(menu) + "/" + folder;
 }
 
-using Reason = std::optional<std::string>;
-using WhyNot = std::function<Reason()>;
-
-/// Why a command that needs a document, an active object, or an active polyhedron cannot run. The editor must
-/// outlive the function.
+/// Reasons why a command that needs a document, an active object, or an active polyhedron cannot run. The
+/// editor must outlive the function.
 WhyNot needs_document(const Editor& editor);
 WhyNot needs_object(const Editor& editor);
 WhyNot needs_polyhedron(const Editor& editor);
@@ -42,14 +39,16 @@ WhyNot needs_shown_surface(const Editor& editor, bool curves = false);
 /// The active polyhedron with something selected of the kinds asked for.
 struct NeededElements {
   bool vertices = false, edges = false, faces = false;
+
+  /// Whether a selection has some of them.
+  bool among(const ElementSelection& selection) const;
+  /// The sentence where it has none.
+  const char* missing() const;
 };
 WhyNot needs_elements(const Editor& editor, NeededElements kinds);
 /// The reason of `first`, and else the sentence `otherwise`, unless `holds`.
 WhyNot only_if(std::function<bool()> holds, const char* otherwise);
 WhyNot only_if(WhyNot first, std::function<bool()> holds, const char* otherwise);
-
-/// The row of a switch, which turns `on` round and is checked while it is on. `on` must outlive the table.
-Command switching(Command row, bool& on);
 
 // Each in a file of its own. The host must outlive the table.
 /// Stand among those of files.
@@ -67,6 +66,9 @@ void add_mesh_commands(CommandHost& host);
 void add_reference_commands(CommandHost& host);
 void add_shape_commands(CommandHost& host);
 void add_attach_commands(CommandHost& host);
+/// Adds the commands that take objects of patches apart and put them together.
+void add_patch_commands(CommandHost& host);
+void add_skin_commands(CommandHost& host);
 void add_outline_commands(CommandHost& host);
 void add_recompute_commands(CommandHost& host);
 void add_paper_commands(CommandHost& host);

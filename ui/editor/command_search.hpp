@@ -9,8 +9,8 @@
 
 namespace hariko {
 
-/// Commands that match, best first: by label, menu and help. Of equal ones, and for an empty query, those
-/// that were `recent`ly used (ids, latest first) come first, then the order of the table.
+/// Commands that match, best first: by label, other names, menu and help. Of equal ones, and for an empty
+/// query, those that were `recent`ly used (ids, latest first) come first, then the order of the table.
 std::vector<const Command*> search_commands(const CommandTable& table, const Language& language,
                                             std::string_view query, std::span<const std::string> recent);
 

@@ -39,8 +39,7 @@ void CommandTable::add(Command command) {
 }
 
 const Command* CommandTable::find(std::string_view id) const {
-  const auto it =
-      std::find_if(commands_.begin(), commands_.end(), [id](const Command& c) { return c.id == id; });
+  const auto it = std::ranges::find_if(commands_, [id](const Command& c) { return c.id == id; });
   return it == commands_.end() ? nullptr : &*it;
 }
 
@@ -50,22 +49,31 @@ const Command* CommandTable::find(const KeyChord& chord) const {
   return nullptr;
 }
 
+Command& CommandTable::existing(std::string_view id) {
+  const auto it = std::ranges::find_if(commands_, [id](const Command& c) { return c.id == id; });
+  HARIKO_ASSERT(it != commands_.end(), "unknown command");
+  return *it;
+}
+
 void CommandTable::show_in(Context contexts, std::initializer_list<std::string_view> ids) {
   for (const std::string_view id : ids) {
-    const auto it =
-        std::find_if(commands_.begin(), commands_.end(), [id](const Command& c) { return c.id == id; });
-    HARIKO_ASSERT(it != commands_.end(), "no command to show in a context menu");
-    it->contexts = it->contexts | contexts;
+    Command& command = existing(id);
+    command.contexts = command.contexts | contexts;
   }
 }
 
+void CommandTable::call_also(std::string_view id, std::string names) {
+  Command& command = existing(id);
+  HARIKO_ASSERT(command.other_names.empty(), "the command has other names already");
+  command.other_names = std::move(names);
+}
+
 void CommandTable::use_in_scripts(std::string_view id, ScriptUse use) {
-  const auto it =
-      std::find_if(commands_.begin(), commands_.end(), [id](const Command& c) { return c.id == id; });
-  HARIKO_ASSERT(it != commands_.end(), "no command to use in scripts");
-  HARIKO_ASSERT(!it->script.run && it->script.arguments.empty(), "the command has a use in scripts already");
+  Command& command = existing(id);
+  HARIKO_ASSERT(!command.script.run && command.script.arguments.empty(),
+                "the command has a use in scripts already");
   HARIKO_ASSERT(use.run || use.arguments.empty(), "arguments need something that takes them");
-  it->script = std::move(use);
+  command.script = std::move(use);
 }
 
 std::vector<std::string> CommandTable::menus() const {
@@ -172,6 +180,123 @@ CommandTable::Outcome CommandTable::run_by(const Command& command, const std::fu
   }
   if (after_run_) after_run_(command, outcome);
   return outcome;
+}
+
+Command switching(Command row, bool& on) {
+  row.run = [&on] { on = !on; };
+  row.checked = [&on] { return on; };
+  row.script = {.arguments = {optional(on_off_argument("on", row.label, {}))},
+                .run = [&on](const Arguments& given) { on = given.has("on") ? given.on("on") : !on; }};
+  return row;
+}
+
+void MenuRows::add(Command row) {
+  row.menu = menu_;
+  row.while_tool_runs = row.while_tool_runs || while_tool_runs_;
+  if (std::exchange(separator_, false)) row.separator_before = true;
+  table_.add(std::move(row));
+}
+
+void MenuRows::add(std::string id, std::string label, std::string help, std::function<void()> run,
+                   WhyNot why_not, Command more) {
+  more.id = std::move(id);
+  more.label = std::move(label);
+  more.help = std::move(help);
+  more.run = std::move(run);
+  more.why_not = std::move(why_not);
+  add(std::move(more));
+}
+
+void MenuRows::add_edit(std::string id, std::string label, std::string help, std::function<void()> run,
+                        WhyNot why_not, Command more) {
+  more.changes_document = true;
+  add(std::move(id), std::move(label), std::move(help), std::move(run), std::move(why_not), std::move(more));
+}
+
+void MenuRows::add_switch(std::string id, std::string label, std::string help, bool& on, Command more) {
+  more.id = std::move(id);
+  more.label = std::move(label);
+  more.help = std::move(help);
+  add(switching(std::move(more), on));
+}
+
+namespace {
+
+/// Order of menus in a context menu: what is done to a thing stands before what is done with it; others come
+/// last, in the order of the bar.
+constexpr std::array<std::string_view, 8> context_order{"Add",  "Mesh", "Shape",  "Transform",
+                                                        "Edit", "File", "Select", "View"};
+std::ptrdiff_t place_in_context(std::string_view menu) {
+  return std::find(context_order.begin(), context_order.end(), menu) - context_order.begin();
+}
+
+/// Puts a command below the folders, which are made where they do not exist yet.
+void place(std::vector<MenuNode>& nodes, std::span<const std::string> folders, const Command& command,
+           bool separator) {
+  if (folders.empty()) {
+    nodes.push_back({&command, {}, separator, {}});
+    return;
+  }
+  auto it =
+      std::ranges::find_if(nodes, [&](const MenuNode& n) { return !n.command && n.submenu == folders[0]; });
+  if (it == nodes.end()) {
+    nodes.push_back({nullptr, folders[0], separator, {}});
+    it = nodes.end() - 1;
+    separator = false;  // it stands before the submenu
+  }
+  place(it->children, folders.subspan(1), command, separator);
+}
+
+/// A line round each single entry is no grouping: it goes with the group before.
+void join_single_nodes(std::span<MenuNode> nodes) {
+  for (std::size_t i = 1; i < nodes.size(); ++i)
+    if (i + 1 == nodes.size() || nodes[i + 1].separator_before) nodes[i].separator_before = false;
+}
+
+}  // namespace
+
+std::vector<std::string> menu_folders(std::string_view menu) {
+  std::vector<std::string> folders;
+  while (!menu.empty()) {
+    const std::size_t end = menu.find('/');
+    folders.emplace_back(menu.substr(0, end));
+    menu = end == std::string_view::npos ? std::string_view() : menu.substr(end + 1);
+  }
+  return folders;
+}
+
+std::vector<MenuNode> menu_tree(const CommandTable& table, std::string_view menu) {
+  std::vector<MenuNode> nodes;
+  for (const Command& command : table.all()) {
+    const auto folders = menu_folders(command.menu);
+    if (folders.empty() || folders[0] != menu) continue;
+    place(nodes, std::span(folders).subspan(1), command, command.separator_before && !nodes.empty());
+  }
+  return nodes;
+}
+
+std::vector<MenuNode> context_menu_tree(const CommandTable& table, Context context) {
+  std::vector<std::string> menus = table.menus();
+  std::stable_sort(menus.begin(), menus.end(), [](const std::string& a, const std::string& b) {
+    return place_in_context(a) < place_in_context(b);
+  });
+  std::vector<MenuNode> nodes;
+  for (const std::string& menu : menus) {
+    const std::size_t begin = nodes.size();
+    bool separator = !nodes.empty();
+    for (const Command& command : table.all()) {
+      const auto folders = menu_folders(command.menu);
+      if (folders.empty() || folders[0] != menu) continue;
+      // The groups of the menu are groups here, whichever of their commands are shown.
+      separator = separator || (command.separator_before && !nodes.empty());
+      if (!overlap(command.contexts, context)) continue;
+      // Things to add are a list of their own, and go with other things.
+      place(nodes, std::span(folders).subspan(menu == "Add" ? 0 : 1), command, separator);
+      separator = false;
+    }
+    join_single_nodes(std::span(nodes).subspan(begin));
+  }
+  return nodes;
 }
 
 }  // namespace hariko

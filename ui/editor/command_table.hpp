@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "ui/base/key_chord.hpp"
@@ -16,7 +17,7 @@
 
 namespace hariko {
 
-/// What is under the pointer when a context menu opens; a set for commands, which may stand in several.
+/// Things under the pointer when a context menu opens; a set for commands, which may stand in several.
 enum class Context : unsigned { none = 0, vertex = 1, edge = 2, face = 4, object = 8, empty = 16 };
 constexpr Context operator|(Context a, Context b) {
   return static_cast<Context>(static_cast<unsigned>(a) | static_cast<unsigned>(b));
@@ -44,6 +45,10 @@ struct ScriptUse {
   std::function<std::vector<WrittenArgument>(const Object&)> read = {};
 };
 
+/// Reason why something cannot be done now, as a sentence; nothing where it can.
+using Reason = std::optional<std::string>;
+using WhyNot = std::function<Reason()>;
+
 /// A row of the table. Rows name the members that differ from these values.
 struct Command {
   std::string id = {};  ///< "file.open": stable, for tests and key files
@@ -58,8 +63,7 @@ struct Command {
   bool while_tool_runs = false;  ///< whether its keys work in the middle of a drag or a modal tool
   bool needs_window = false;     ///< `run` works with the pointer, a dialog or the window itself
   std::function<void()> run = {};
-  /// Why the command cannot run now, as a sentence; nothing when it can.
-  std::function<std::optional<std::string>()> why_not = {};
+  WhyNot why_not = {};
   /// For switches: whether it is on.
   std::function<bool()> checked = {};
   Context contexts = Context::none;  ///< the context menus it stands in
@@ -67,6 +71,8 @@ struct Command {
   /// Whether it stands in a menu; otherwise `menu` tells the palette where what it is about stands.
   bool in_menu = true;
   ScriptUse script = {};
+  /// Other names that designers know it by, for the palette: "fillet, chamfer", translated as a whole.
+  std::string other_names = {};
 
   bool scriptable() const { return !needs_window || script.run; }
 };
@@ -92,6 +98,8 @@ class CommandTable {
   const Command* find(const KeyChord& chord) const;
   /// Puts commands into the context menus of elements. The ids must exist (asserted).
   void show_in(Context contexts, std::initializer_list<std::string_view> ids);
+  /// Gives a command other names for the palette. The id must exist, and have none yet (asserted).
+  void call_also(std::string_view id, std::string names);
   /// Says how scripts use a command. The id must exist, and have no use yet (asserted).
   void use_in_scripts(std::string_view id, ScriptUse use);
   /// Top menus in the order of the bar: File, Edit ... Help; menus that it does not know stand before Help.
@@ -109,7 +117,7 @@ class CommandTable {
 
   struct Outcome {
     bool ran = false;
-    std::string reason;  ///< why not
+    std::string reason;  ///< reason why not
   };
   /// Is called before any command runs, from wherever it was chosen.
   void before_run(std::function<void(const Command&)> hook) { before_run_ = std::move(hook); }
@@ -122,6 +130,7 @@ class CommandTable {
   Outcome run_in_script(const Command& command, const Arguments& arguments) const;
 
  private:
+  Command& existing(std::string_view id);
   Outcome run_by(const Command& command, const std::function<void()>& run) const;
   void use_keys(std::size_t command, const std::vector<KeyChord>& keys);
 
@@ -130,5 +139,50 @@ class CommandTable {
   std::function<void(const Command&)> before_run_;
   std::function<void(const Command&, const Outcome&)> after_run_;
 };
+
+/// The row of a switch, which turns `on` round and is checked while it is on. `on` must outlive the table.
+Command switching(Command row, bool& on);
+
+/// Adds rows that stand in one menu. The members that nearly all rows have are arguments; `more` names
+/// others.
+class MenuRows {
+ public:
+  /// `while_tool_runs`: the keys of all rows work in the middle of a tool.
+  MenuRows(CommandTable& table, std::string menu, bool while_tool_runs = false)
+      : table_(table), menu_(std::move(menu)), while_tool_runs_(while_tool_runs) {}
+  /// The next row stands below a line.
+  void next_group() { separator_ = true; }
+  void add(Command row);
+  void add(std::string id, std::string label, std::string help, std::function<void()> run,
+           WhyNot why_not = {}, Command more = {});
+  /// Adds a row that changes the document.
+  void add_edit(std::string id, std::string label, std::string help, std::function<void()> run,
+                WhyNot why_not = {}, Command more = {});
+  /// Adds the row of a switch.
+  void add_switch(std::string id, std::string label, std::string help, bool& on, Command more = {});
+
+ private:
+  CommandTable& table_;
+  std::string menu_;
+  bool while_tool_runs_;
+  bool separator_ = false;
+};
+
+/// An entry of a menu: a command, or a submenu with entries of its own.
+struct MenuNode {
+  const Command* command = nullptr;
+  std::string submenu;  ///< its name in English when there is no command
+  bool separator_before = false;
+  std::vector<MenuNode> children;
+};
+
+/// The entries of a top menu. A submenu stands where its first command does.
+std::vector<MenuNode> menu_tree(const CommandTable& table, std::string_view menu);
+
+/// The entries of the context menu of an element: commands by menus, separated; submenus stay.
+std::vector<MenuNode> context_menu_tree(const CommandTable& table, Context context);
+
+/// The folders of a menu path: "View/Standard views" gives two.
+std::vector<std::string> menu_folders(std::string_view menu);
 
 }  // namespace hariko

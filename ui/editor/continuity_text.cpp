@@ -14,10 +14,6 @@ namespace {
 /// Kinks below it are rounding, in radians.
 constexpr double rounding_kink = 1e-9;
 
-std::string counted(std::size_t count, const char* one, const char* many, const Language& tr) {
-  return fill(tr(count == 1 ? one : many), {std::to_string(count)});
-}
-
 /// "a, b and c"
 std::string listed(const std::vector<std::string>& parts, const Language& tr) {
   std::string out = parts.front();
@@ -60,8 +56,7 @@ ReachedContinuity reached_continuity(const Surface& surface, const ContinuityRep
 
 std::string text_of(const ReachedContinuity& reached, const Language& tr) {
   if (!reached.joined && reached.creases == 0) return {};
-  const std::string creases =
-      counted(reached.creases, translatable("1 creased edge"), translatable("{0} creased edges"), tr);
+  const std::string creases = tr.counted(reached.creases, "1 creased edge", "{0} creased edges");
   if (!reached.joined) return creases;
   if (reached.largest_kink >= rounding_kink) {
     const std::string kink =
@@ -70,11 +65,10 @@ std::string text_of(const ReachedContinuity& reached, const Language& tr) {
   }
   const char* name = reached.smooth == Continuity::g2 ? tr("curvature-continuous") : tr("tangent-continuous");
   std::vector<std::string> exceptions;
-  if (reached.less > 0)
-    exceptions.push_back(counted(reached.less, translatable("1 edge"), translatable("{0} edges"), tr));
+  if (reached.less > 0) exceptions.push_back(tr.counted(reached.less, "1 edge", "{0} edges"));
   if (reached.inner_less > 0)
-    exceptions.push_back(counted(reached.inner_less, translatable("1 seam inside of a face"),
-                                 translatable("{0} seams inside of faces"), tr));
+    exceptions.push_back(
+        tr.counted(reached.inner_less, "1 seam inside of a face", "{0} seams inside of faces"));
   if (reached.creases > 0) exceptions.push_back(creases);
   return exceptions.empty() ? std::string(name) : fill(tr("{0} but for {1}"), {name, listed(exceptions, tr)});
 }

@@ -12,7 +12,7 @@ namespace hariko {
 /// Edges of the source count once, with their images in a live mirror; seams inside of faces, which are no
 /// edges to a designer, by themselves.
 struct ReachedContinuity {
-  Continuity smooth = Continuity::g1;  ///< what most of the edges have that are meant to be smooth: g1 or g2
+  Continuity smooth = Continuity::g1;  ///< level of most edges that are meant to be smooth: g1 or g2
   std::size_t less = 0;                ///< edges that are meant to be smooth and have less than that
   std::size_t inner_less = 0;          ///< seams inside of faces that have less
   std::size_t creases = 0;             ///< edges that are meant to be sharp

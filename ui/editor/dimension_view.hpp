@@ -47,7 +47,7 @@ class DimensionView {
   };
   struct Chosen {
     DimensionId id;
-    Selection selection;  ///< when it was chosen
+    Selection selection;  ///< state when it was chosen
     ElementMode mode = ElementMode::vertex;
   };
   void take_up(const Shared<Dimensions>& dimensions);
@@ -55,7 +55,7 @@ class DimensionView {
   Shared<Dimensions> dimensions_;
   std::vector<ShownDimension> all_;
   std::vector<ObjectId> named_;  ///< ascending
-  std::vector<Known> known_;     ///< of these
+  std::vector<Known> known_;     ///< those that are named
   std::optional<Chosen> chosen_;
 };
 

@@ -27,35 +27,20 @@ void repeat_last(Editor& editor, const CommandTable& table) {
 void add_edit_commands(CommandHost& host) {
   CommandTable& table = host.table;
   Editor& editor = host.editor;
-  table.add({.id = "edit.undo",
-             .menu = "Edit",
-             .label = "Undo",
-             .help = "Take back the last step.",
-             .keys = "Ctrl+Z",
-             .icon = icon::undo,
-             .changes_document = true,
-             .run = [&editor] { editor.undo(); },
-             .why_not = only_if([&editor] { return editor.history.can_undo(); },
-                                translatable("There is nothing to undo."))});
-  table.add({.id = "edit.redo",
-             .menu = "Edit",
-             .label = "Redo",
-             .help = "Make the step again that was taken back.",
-             .keys = "Ctrl+Shift+Z / Ctrl+Y",
-             .icon = icon::redo,
-             .changes_document = true,
-             .run = [&editor] { editor.redo(); },
-             .why_not = only_if([&editor] { return editor.history.can_redo(); },
-                                translatable("There is nothing to redo."))});
-  table.add({.id = "edit.repeat",
-             .menu = "Edit",
-             .label = "Repeat last",
-             .help = "Make the last step again, with its numbers, on what is selected now.",
-             .keys = "Shift+R",
-             .changes_document = true,
-             .needs_window = true,
-             .run = [&editor, &table] { repeat_last(editor, table); },
-             .why_not = [&editor, &table] { return nothing_to_repeat(editor, table); }});
+  MenuRows rows(host.table, "Edit");
+  rows.add_edit(
+      "edit.undo", "Undo", "Take back the last step.", [&editor] { editor.undo(); },
+      only_if([&editor] { return editor.history.can_undo(); }, translatable("There is nothing to undo.")),
+      {.keys = "Ctrl+Z", .icon = icon::undo});
+  rows.add_edit(
+      "edit.redo", "Redo", "Make the step again that was taken back.", [&editor] { editor.redo(); },
+      only_if([&editor] { return editor.history.can_redo(); }, translatable("There is nothing to redo.")),
+      {.keys = "Ctrl+Shift+Z / Ctrl+Y", .icon = icon::redo});
+  rows.add_edit(
+      "edit.repeat", "Repeat last", "Make the last step again, with its numbers, on what is selected now.",
+      [&editor, &table] { repeat_last(editor, table); },
+      [&editor, &table] { return nothing_to_repeat(editor, table); },
+      {.keys = "Shift+R", .needs_window = true});
 }
 
 }  // namespace hariko

@@ -2,10 +2,8 @@
 
 #include <algorithm>
 
-#include "core/document/edits/edit_solids.hpp"
 #include "ui/base/fonts.hpp"
-#include "ui/editor/outlines.hpp"
-#include "ui/editor/skin_view.hpp"
+#include "ui/editor/object_kind.hpp"
 
 namespace hariko {
 
@@ -16,9 +14,8 @@ const SurfaceView* Editor::view_of(ObjectId id) const {
 }
 
 const Job* Editor::cancellable_job() const {
-  const auto found = std::find_if(jobs.begin(), jobs.end(), [](const auto& job) {
-    return job->can_be_cancelled && !job->cancel.cancelled();
-  });
+  const auto found = std::ranges::find_if(
+      jobs, [](const auto& job) { return job->can_be_cancelled && !job->cancel.cancelled(); });
   return found == jobs.end() ? nullptr : found->get();
 }
 
@@ -84,11 +81,8 @@ std::string Editor::title() const {
   return suggested_name.empty() ? std::string(language("Untitled")) : suggested_name;
 }
 
-bool Editor::commit(const Result<Document>& result, const std::string& label) {
-  if (!result.ok()) {
-    notify(result.error());
-    return false;
-  }
+bool Editor::commit(const Result<Document>& result, const Phrase& label) {
+  if (!result.ok()) return refuse(result.error());
   const std::uint64_t left = history.serial();
   const ChosenElements chosen{selection, mode};
   return stepped(left, chosen, history.push(without_lost_dimensions(result.value()), label));
@@ -102,9 +96,8 @@ Document Editor::without_lost_dimensions(const Document& next) {
   const Document left = *remove_dimensions(next, lost_dimensions(next));
   const std::size_t count = dimensions_that_went(before, left).size();
   if (count > 0)
-    notify(Notice::Kind::info, fill(language(count == 1 ? "1 dimension went with what it measured."
-                                                        : "{0} dimensions went with what they measured."),
-                                    {std::to_string(count)}));
+    notify(Notice::Kind::info, language.counted(count, "1 dimension went with what it measured.",
+                                                "{0} dimensions went with what they measured."));
   return left;
 }
 
@@ -124,15 +117,12 @@ std::span<const WrittenCommand> Editor::told_script() const {
 }
 
 bool Editor::preview(const Result<Document>& result) {
-  if (!result.ok()) {
-    notify(result.error());
-    return false;
-  }
+  if (!result.ok()) return refuse(result.error());
   history.preview(result.value());
   return true;
 }
 
-bool Editor::commit_preview(const std::string& label) {
+bool Editor::commit_preview(const Phrase& label) {
   const std::uint64_t left = history.serial();
   const ChosenElements chosen{selection, mode};
   if (history.in_gesture()) history.preview(without_lost_dimensions(history.shown()));
@@ -193,7 +183,7 @@ void Editor::notify(Notice::Kind kind, std::string text, std::string remedy) {
 }
 
 void Editor::notify(const Message& message) {
-  // What the user cancelled is no mistake.
+  // Cancelling is no mistake.
   const Notice::Kind kind = message.code == e_cancelled           ? Notice::Kind::info
                             : message.severity == Severity::error ? Notice::Kind::error
                                                                   : Notice::Kind::warning;
@@ -202,14 +192,13 @@ void Editor::notify(const Message& message) {
 }
 
 void Editor::show_text(std::string_view text) {
-  if (std::all_of(text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < 0x80; }))
-    return;
+  if (std::ranges::all_of(text, [](char c) { return static_cast<unsigned char>(c) < 0x80; })) return;
   for (const char32_t point : code_points(text))
     if (needs_japanese_font(point)) shown_characters_.insert(point);
 }
 
 bool Editor::notices_expire() const {
-  return cursor_note.has_value() || std::any_of(notices_.begin(), notices_.end(), [](const Notice& notice) {
+  return cursor_note.has_value() || std::ranges::any_of(notices_, [](const Notice& notice) {
            return notice.kind == Notice::Kind::info;
          });
 }
@@ -237,31 +226,15 @@ Camera Editor::framed_all(const Camera& camera, PixelSize size) const {
 
 Box3 Editor::selected_box() const {
   Box3 box;
-  for (const auto& object : document().objects) {
-    if (mode == ElementMode::object) {
-      if (selection.objects().contains(object->id)) box.extend(world_box(*object));
-      continue;
-    }
-    for (const VertexId id : selection.of(object->id).vertices)
-      if (const Solid* solid = find_solid(*object, id.value)) {
-        const Box3 local = box_of(*solid);
-        for (int corner = 0; corner < 8; ++corner)
-          box.extend(object->transform.apply(local.corner(static_cast<Box3::CornerType>(corner))));
-      }
-    if (object->outline())
-      for (const VertexId id : selection.of(object->id).vertices)
-        if (id.value < object->outline()->outline->point_count())
-          box.extend(place_of_point(*object, id.value).point);
-    if (object->skin() && !selection.of(object->id).empty())
-      for (const SkinView::Handle& handle : hariko::view_of(*object->skin()->skin, nullptr).handles)
-        if (handle.kind != SkinView::Handle::Kind::place &&
-            selection.of(object->id).vertices.contains(VertexId{handle.id}))
-          box.extend(object->transform.apply(handle.position));
-    const Polyhedron* cage = object->cage();
-    if (!cage || selection.of(object->id).empty()) continue;
-    for (const VertexId id : touched_vertices(selection.of(object->id), *cage))
-      box.extend(object->transform.apply(object->cage_origin() + cage->position(cage->find(id))));
+  if (mode == ElementMode::object) {
+    for (const ObjectId id : selection.objects())
+      if (const Object* object = document().find(id)) box.extend(world_box(*object));
+    return box;
   }
+  for (const auto& [id, elements] : selection.elements())
+    if (const Object* object = document().find(id))
+      for (const Vector3& point : object_kind(*object).extent(*object, elements))
+        box.extend(object->transform.apply(point));
   return box;
 }
 

@@ -21,17 +21,16 @@
 #include "ui/base/frame_times.hpp"
 #include "ui/base/job.hpp"
 #include "ui/base/language.hpp"
+#include "ui/base/language_files.hpp"
 #include "ui/base/recompute.hpp"
 #include "ui/base/references.hpp"
 #include "ui/base/settings.hpp"
-#include "ui/base/surface_point.hpp"
 #include "ui/editor/chosen_group.hpp"
 #include "ui/editor/command_arguments.hpp"
 #include "ui/editor/dimension_view.hpp"
 #include "ui/editor/gauss_view.hpp"
 #include "ui/editor/guide.hpp"
 #include "ui/editor/last_operation.hpp"
-#include "ui/editor/long_edit.hpp"
 #include "ui/editor/meshing.hpp"
 #include "ui/editor/paper_state.hpp"
 #include "ui/editor/section_curves.hpp"
@@ -54,7 +53,7 @@ struct Notice {
   static constexpr double info_seconds = 4;
 };
 
-/// Why something was refused, shown where the pointer was.
+/// Reason of a refusal, shown where the pointer was.
 struct CursorNote {
   std::string text;    ///< in the language of the interface
   float x = 0, y = 0;  ///< window pixels
@@ -62,27 +61,27 @@ struct CursorNote {
   static constexpr double seconds = 3;
 };
 
-/// How the viewport shows things: not part of the document.
+/// Settings of the viewport, which are not part of the document.
 struct ViewSettings {
   ViewMap map;  ///< on all surfaces at once
   bool surfaces_only =
       false;  ///< for judging: no curves, points, polyhedra, handles or marks of the selection
   ZebraSettings zebra;
-  bool environment = false;       ///< what is shaded reflects the environment of the settings
-  ContinuityTolerance tolerance;  ///< of the marks of continuity
+  bool environment = false;       ///< reflects the settings' environment in what is shaded
+  ContinuityTolerance tolerance;  ///< tolerance of the marks of continuity
   struct Section {
     bool shown = false, flipped = false;
     int axis = 0;       ///< 0, 1, 2: x, y, z
     double offset = 0;  ///< along the axis, world coordinates
   } section;
-  double x_ray_strength = 0.3;  ///< of hidden lines, 0.05 .. 1
+  double x_ray_strength = 0.3;  ///< strength of hidden lines, 0.05 .. 1
   bool x_ray = false;
   bool bodies = true;  ///< solids show translucent through the surface round them
   bool grid = true;
   bool dimensions = true;
 };
 
-/// How pointing selects.
+/// Settings of selecting by pointing.
 struct SelectSettings {
   bool lasso = false;    ///< drags beside elements draw a lasso instead of a box
   bool through = false;  ///< clicks take also what is hidden, and in perspective boxes and lassos
@@ -130,6 +129,7 @@ class Editor {
   DimensionView dimensions;                ///< with their values; `update` brings them up to date
   std::optional<SurfacePoint> kept_probe;  ///< its readings stay on the screen and follow the surface
   Language language;                       ///< the catalogue of settings.language
+  std::vector<LanguageFile> languages;     ///< choices beside English
   LastOperation last_operation;
   Meshing meshing;
   MeshImport mesh_import;
@@ -144,14 +144,14 @@ class Editor {
   bool has_document = false;
   Guide guide;                                     ///< the guided first model
   int exports = 0;                                 ///< files exported since the program began
-  bool recording = false;                          ///< what the user does is written as a replay
+  bool recording = false;                          ///< writes what the user does as a replay
   std::optional<ScriptProgress> script_recording;  ///< while commands are written as a script
   bool rename_wanted = false;                 ///< the list of objects makes the active one's name a field
-  bool wants_framing = false;                 ///< of all views, as soon as their sizes are known
-  std::optional<std::filesystem::path> path;  ///< of the document on disk
+  bool wants_framing = false;                 ///< frames all views, as soon as their sizes are known
+  std::optional<std::filesystem::path> path;  ///< file of the document on disk
   bool read_only = false;                     ///< the file at `path` is not to be overwritten
-  std::string suggested_name;                 ///< of a document without a path, for its first save
-  std::uint64_t documents = 0;                ///< how many were opened; names the one that is open
+  std::string suggested_name;                 ///< name of a document without a path, for its first save
+  std::uint64_t documents = 0;                ///< number of opened ones; names the one that is open
 
   /// Written by the application each frame.
   double now = 0;                                          ///< steady clock, seconds
@@ -170,7 +170,8 @@ class Editor {
 
   /// Replaces everything by another document, which counts as saved, and frames it.
   void open(Document document, std::optional<std::filesystem::path> file);
-  /// What a recording begins with, and the replay of it: nothing selected, tools and views as after opening.
+  /// Resets the editor to what a recording and its replay begin with: nothing selected, tools and views as
+  /// after opening.
   void begin_recording();
   /// Puts the steps from before the recording back.
   void end_recording();
@@ -178,10 +179,10 @@ class Editor {
   std::string title() const;
 
   /// Makes one step, or says why not. True when the document changed.
-  bool commit(const Result<Document>& result, const std::string& label);
+  bool commit(const Result<Document>& result, const Phrase& label);
   /// Shows a document without making a step: see History. False, with a notice, on an error.
   bool preview(const Result<Document>& result);
-  bool commit_preview(const std::string& label);
+  bool commit_preview(const Phrase& label);
   void cancel_preview() { history.cancel_preview(); }
   /// Makes an edit that takes long: by `on_long_edit` where that is set, else at once.
   void make(const LongEdit& edit) const;
@@ -206,7 +207,14 @@ class Editor {
   void show_environment(EnvironmentKind kind);
 
   void notify(Notice::Kind kind, std::string text, std::string remedy = {});
+  /// Notices in English, shown in the language of the interface.
+  void inform(const Phrase& text) { notify(Notice::Kind::info, language(text)); }
+  void warn(const Phrase& text, const char* remedy = "") {
+    notify(Notice::Kind::warning, language(text), *remedy ? language(remedy) : "");
+  }
   void notify(const Message& message);
+  /// The same; false, for what fails with it.
+  bool refuse(const Message& message) { return notify(message), false; }
   /// Told of every notice, messages in English with their codes: for a log. May be empty.
   std::function<void(Notice::Kind, const std::string& text)> on_notice;
   std::deque<Notice>& notices() { return notices_; }

@@ -17,7 +17,7 @@ struct GaussView {
   std::optional<Index> step;            ///< so many sites are inserted; empty: all
   /// The sphere of an outline and a step, made by the application; null until there is one.
   std::shared_ptr<const GaussSphere> sphere;
-  std::shared_ptr<const Object> object;  ///< that it was made of
+  std::shared_ptr<const Object> object;  ///< object that it was made of
   std::optional<Index> made_step;
   std::optional<Index> hovered, selected;  ///< sites
 

@@ -11,7 +11,7 @@ namespace {
 /// Whether `differs(before, now)` holds for the polyhedron of some object that is in both documents.
 template <class Differs>
 bool any_polyhedron(const Document& before, const Document& now, const Differs& differs) {
-  return std::any_of(now.objects.begin(), now.objects.end(), [&](const auto& object) {
+  return std::ranges::any_of(now.objects, [&](const auto& object) {
     const Object* old = before.find(object->id);
     return old && old->polyhedron() && object->polyhedron() &&
            differs(*old->polyhedron(), *object->polyhedron());
@@ -39,8 +39,7 @@ bool fulfilled(GuideStep step, const GuideFacts& before, const GuideFacts& now) 
   const auto& objects = now.document.objects;
   switch (step) {
     case GuideStep::box:
-      return std::any_of(objects.begin(), objects.end(),
-                         [](const auto& object) { return object->polyhedron(); });
+      return std::ranges::any_of(objects, [](const auto& object) { return object->polyhedron(); });
     case GuideStep::pull:
       return any_polyhedron(before.document, now.document, &moved);
     case GuideStep::tension:

@@ -2,8 +2,6 @@
 
 // The guided first model: six steps, each recognised by what happened to the document. Pure, no ImGui.
 
-#include <array>
-
 #include "core/document/document.hpp"
 
 namespace hariko {
@@ -11,7 +9,7 @@ namespace hariko {
 enum class GuideStep { box, pull, tension, crease, zebra, export_file, done };
 inline constexpr int guide_step_count = 6;
 
-/// What a step is recognised by.
+/// Facts that a step is recognised by.
 struct GuideFacts {
   Document document;   ///< the committed one
   int exports = 0;     ///< files exported since the program began
@@ -38,7 +36,7 @@ class Guide {
  private:
   bool shown_ = false;
   GuideStep step_ = GuideStep::box;
-  GuideFacts before_;  ///< when the step began
+  GuideFacts before_;  ///< facts when the step began
 };
 
 /// English title and text of a step; in the text {0} is the key of the command that helps.

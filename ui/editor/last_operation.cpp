@@ -5,6 +5,7 @@
 #include <memory>
 #include <utility>
 
+#include "core/modeling/objects/primitives.hpp"
 #include "ui/editor/editor.hpp"
 #include "ui/editor/operations.hpp"
 #include "ui/editor/selected_items.hpp"
@@ -14,12 +15,9 @@ namespace hariko {
 namespace {
 
 /// Says that a step was not made, as what was prepared for it fits no longer.
-void say_changed_meanwhile(Editor& editor, const std::string& label) {
-  editor.notify(
-      Notice::Kind::warning,
-      fill(editor.language(
-               "\u201c{0}\u201d was not applied, as its objects were changed meanwhile. Run it again."),
-           {editor.language.phrase(label)}));
+void say_changed_meanwhile(Editor& editor, const Phrase& label) {
+  editor.warn({"\u201c{0}\u201d was not applied, as its objects were changed meanwhile. Run it again.",
+               {editor.language(label)}});
 }
 
 LongEdit followed_by(LongEdit first, std::function<void()> next) {
@@ -34,6 +32,16 @@ LongEdit followed_by(LongEdit first, std::function<void()> next) {
 }
 
 }  // namespace
+
+OperationNumber distance_number(const char* id, const char* label, double value) {
+  return {id, label, value, -max_primitive_length, max_primitive_length};
+}
+
+OperationNumber choice_number(const char* id, const char* label, std::vector<const char*> choices,
+                              int value) {
+  const double last = double(choices.size()) - 1;
+  return {id, label, double(value), 0, last, true, false, std::move(choices)};
+}
 
 bool LastOperation::run(Editor& editor, OperationStep step) {
   if (step.prepare)
@@ -103,10 +111,7 @@ bool LastOperation::adjust(Editor& editor, std::size_t number, double value) {
     if (const auto first = step.prepare(before_, step.numbers))
       return adjust_prepared(editor, *first, number, changed.value);
   const Result<OperationResult> tried = step.make(before_, step.numbers);
-  if (!tried) {
-    editor.notify(tried.error());
-    return false;
-  }
+  if (!tried) return editor.refuse(tried.error());
   editor.undo();
   if (!commit(editor, before_, step)) return false;
   step_ = again_ = std::move(step);
@@ -119,10 +124,7 @@ bool LastOperation::repeat(Editor& editor) {
   OperationStep step = again_;
   if (step.begin) {
     Result<BegunOperation> begun = step.begin(editor);
-    if (!begun) {
-      editor.notify(begun.error());
-      return false;
-    }
+    if (!begun) return editor.refuse(begun.error());
     step.make = begun->make;
     step.written = begun->written;
     step.prepare = begun->prepare;
@@ -150,10 +152,7 @@ void LastOperation::note(const Editor& editor, std::string command) {
 
 bool LastOperation::commit(Editor& editor, const Document& before, const OperationStep& step) {
   Result<OperationResult> made = step.make(before, step.numbers);
-  if (!made) {
-    editor.notify(made.error());
-    return false;
-  }
+  if (!made) return editor.refuse(made.error());
   after_ = made->document;
   const OperationResult result = std::move(made).value();
   const bool changed = editor.commit(Result<Document>(result.document), step.label);
@@ -171,6 +170,55 @@ bool LastOperation::commit(Editor& editor, const Document& before, const Operati
   editor.selection.active = result.active;
   if (!result.selected.empty()) editor.selection.set(result.active, result.selected);
   return true;
+}
+
+namespace {
+
+ArgumentSpec argument_of(const OperationNumber& number) {
+  ArgumentSpec spec;
+  spec.name = number.id;
+  spec.help = number.label;
+  if (!number.choices.empty()) {
+    spec.type = ArgumentType::word;
+    spec.words.assign(number.choices.begin(), number.choices.end());
+    spec.standard = spec.words[static_cast<std::size_t>(number.value)];
+    return spec;
+  }
+  spec.type = number.whole ? ArgumentType::whole : ArgumentType::number;
+  spec.unit = number.whole ? ArgumentUnit::none : number.angle ? ArgumentUnit::degrees : ArgumentUnit::length;
+  spec.standard = number.value;
+  spec.low = number.low;
+  spec.high = number.high;
+  return spec;
+}
+
+}  // namespace
+
+std::vector<ArgumentSpec> arguments_of(std::span<const OperationNumber> numbers) {
+  std::vector<ArgumentSpec> out;
+  for (const OperationNumber& number : numbers) out.push_back(argument_of(number));
+  return out;
+}
+
+std::vector<OperationNumber> with_values(std::vector<OperationNumber> numbers, const Arguments& arguments) {
+  for (OperationNumber& number : numbers) {
+    if (number.choices.empty()) {
+      number.value = arguments.number(number.id);
+      continue;
+    }
+    const auto chosen = std::find(number.choices.begin(), number.choices.end(), arguments.text(number.id));
+    number.value = static_cast<double>(chosen - number.choices.begin());
+  }
+  return numbers;
+}
+
+std::vector<WrittenArgument> written_numbers(std::span<const OperationNumber> numbers) {
+  std::vector<WrittenArgument> out;
+  for (const OperationNumber& number : numbers)
+    out.push_back(number.choices.empty()
+                      ? written(number.id, number.value)
+                      : written(number.id, std::string(number.choices[std::size_t(number.value)])));
+  return out;
 }
 
 }  // namespace hariko

@@ -10,12 +10,25 @@
 #include <string>
 #include <vector>
 
+#include "core/base/cancellation.hpp"
+#include "core/base/ids.hpp"
+#include "core/base/progress.hpp"
+#include "core/base/text/phrase.hpp"
 #include "core/document/document.hpp"
 #include "ui/editor/command_arguments.hpp"
-#include "ui/editor/long_edit.hpp"
 #include "ui/editor/selection.hpp"
 
 namespace hariko {
+
+/// Work that an edit of one object begins with, and what makes the step of it.
+struct LongEdit {
+  using Then = std::function<void()>;
+  Phrase what;  ///< "Fitting Body"
+  ObjectId object;
+  /// Computes from values alone, as it may run on another thread, and returns soon when it is cancelled.
+  /// Work of the worker; returns a function, never empty, that is called on the main thread unless cancelled.
+  std::function<Then(const CancelToken&, const Progress&)> work;
+};
 
 class Editor;
 
@@ -30,14 +43,19 @@ struct OperationNumber {
   std::vector<const char*> choices = {};
 };
 
+/// A length between those that primitives can have, in both directions.
+OperationNumber distance_number(const char* id, const char* label, double value);
+OperationNumber choice_number(const char* id, const char* label, std::vector<const char*> choices,
+                              int value = 0);
+
 /// Result of an operation with these numbers on a document, the object that is then active, and what is
 /// selected.
 struct OperationResult {
   Document document;
   ObjectId active;
-  ElementSelection selected = {};      ///< of the active object
+  ElementSelection selected = {};      ///< elements of the active object
   std::vector<ObjectId> objects = {};  ///< whole objects; empty: those that were chosen stay so
-  bool keeps_selection = false;        ///< what was selected stays so, and is active as before
+  bool keeps_selection = false;        ///< selection and active element stay as before
   bool selects_as_operation = false;   ///< `selected` is for `select_result`
   /// Tells what it brought, after each time the step was made or changed nothing; may be empty.
   std::function<void(Editor&)> say = {};
@@ -57,7 +75,7 @@ using WriteOperation = std::function<std::vector<WrittenCommand>(std::span<const
 /// An operation on what is selected in an editor.
 struct BegunOperation {
   MakeOperation make;
-  std::string label = {};         ///< of its step; empty: as before
+  Phrase label = {};              ///< name of its step; empty: as before
   WriteOperation written = {};    ///< empty: no command does the same
   PrepareOperation prepare = {};  ///< empty: it is always quick
 };
@@ -65,7 +83,7 @@ struct BegunOperation {
 using BeginOperation = std::function<Result<BegunOperation>(const Editor&)>;
 
 struct OperationStep {
-  std::string label;
+  Phrase label;
   std::vector<OperationNumber> numbers;
   MakeOperation make;             ///< empty: of a step that was taken up and cannot be adjusted
   BeginOperation begin = {};      ///< for repeating; empty: `make` is repeated
@@ -80,7 +98,7 @@ class LastOperation {
   /// Makes the step, or begins with what it needs (`prepare`): then it is made when that is there, and a
   /// notice says where its objects were changed meanwhile. False, with a notice, when it is refused.
   bool run(Editor& editor, OperationStep step);
-  bool run(Editor& editor, std::string label, std::vector<OperationNumber> numbers, MakeOperation make) {
+  bool run(Editor& editor, Phrase label, std::vector<OperationNumber> numbers, MakeOperation make) {
     return run(editor, {std::move(label), std::move(numbers), std::move(make), {}});
   }
   /// Takes up a step that a tool has just made of the document `before`. Without numbers it is only for
@@ -102,7 +120,7 @@ class LastOperation {
   const std::string& command() const { return command_; }
   /// Number of steps that were run or taken up.
   std::uint64_t count() const { return count_; }
-  const std::string& label() const { return step_.label; }
+  const Phrase& label() const { return step_.label; }
   const std::vector<OperationNumber>& numbers() const { return step_.numbers; }
 
  private:
@@ -119,5 +137,14 @@ class LastOperation {
   // The state of the history that the last step led to, and its document.
   std::uint64_t serial_ = 0, documents_ = 0;
 };
+
+/// Declarations of the numbers, which are the defaults: lengths count as millimetres. Choices are words.
+std::vector<ArgumentSpec> arguments_of(std::span<const OperationNumber> numbers);
+
+/// The numbers with the values of arguments that `arguments_of` declared.
+std::vector<OperationNumber> with_values(std::vector<OperationNumber> numbers, const Arguments& arguments);
+
+/// The numbers as a script writes them.
+std::vector<WrittenArgument> written_numbers(std::span<const OperationNumber> numbers);
 
 }  // namespace hariko

@@ -20,7 +20,7 @@ struct LegendSource {
 
 /// The legend of a map with values that shows; nothing else.
 std::optional<LegendSource> legend_source(const Editor& editor, const SceneBuilder& scene);
-/// Why an object that should show a map of making has no values.
+/// Reason why an object that should show a map of making has no values.
 struct MissingMap {
   std::string object;               ///< its name; empty for the active object
   const Message* reason = nullptr;  ///< as long as the editor's views stay as they are
@@ -28,7 +28,7 @@ struct MissingMap {
 /// The map of the active object, else of the first other one that is not the reference of deviations.
 std::optional<MissingMap> missing_map(const Editor& editor);
 
-/// How the range is found.
+/// Settings that the range is found by.
 const MapRange& range_settings(const Editor& editor, const LegendSource& source);
 /// Sets that, in the view or as a step of the document.
 void set_range(Editor& editor, const LegendSource& source, const MapRange& range);

@@ -1,6 +1,7 @@
 #include "ui/editor/meshing.hpp"
 
 #include "core/document/object_shape.hpp"
+#include "ui/base/quantity.hpp"
 
 #include <numbers>
 
@@ -28,6 +29,11 @@ MeshOptions MeshingSettings::options(double scale) const {
   out.balanced = balanced;
   out.report = MeshReport::all;
   return out;
+}
+
+std::string short_text(MeshShown shown, double value, Unit unit) {
+  if (shown != MeshShown::distance) return format_quantity(angle_quantity(), value);
+  return format_number(value, 3) + " " + std::string(to_string(unit));
 }
 
 std::shared_ptr<const Object> meshed_object(const Document& document, ObjectId active) {

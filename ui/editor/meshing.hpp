@@ -1,11 +1,12 @@
 #pragma once
 
-// What the meshing panel asks for and what it shows: triangles of the active object under tolerances, and
-// maps of their errors. Values; the application makes the meshes on a worker.
+// Requests and results of the meshing panel: triangles of the active object under tolerances, and maps of
+// their errors. Values; the application makes the meshes on a worker.
 
 #include <array>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "core/approximation/mesh_options.hpp"
@@ -42,20 +43,22 @@ struct MeshingSettings {
   friend bool operator==(const MeshingSettings&, const MeshingSettings&) = default;
 };
 
-/// What colours the facets. The last three are kinds of error.
+/// Quantity that colours the facets. The last three are kinds of error.
 enum class MeshShown : std::uint8_t { facets, distance, normal, fold };
+/// A distance or an angle with its unit. Three digits are enough for a glance.
+std::string short_text(MeshShown shown, double value, Unit unit);
 inline constexpr std::size_t mesh_error_count = 3;
 
 /// One kind of error over a mesh, ready to be drawn. Numbers in the document's unit or degrees.
 struct MeshErrors {
   std::shared_ptr<const DisplayMesh> mesh;  ///< values above the tolerance are undefined
-  ValueRange range;                         ///< of the colours: from 0 to the tolerance, or to the largest
+  ValueRange range;                         ///< range of the colours: from 0 to the tolerance or the largest
   std::vector<float> histogram;             ///< over the range; the largest part is 1
   std::size_t beyond = 0;                   ///< facets above the tolerance
   bool limited = false;                     ///< the range ends at a tolerance
   double largest = 0, mean = 0;
   std::optional<double> bound;      ///< certain
-  Vector3 place = Vector3::Zero();  ///< of the largest, in the object's space
+  Vector3 place = Vector3::Zero();  ///< place of the largest, in the object's space
 };
 
 struct MeshPreview {
@@ -70,7 +73,7 @@ struct MeshPreview {
   const MeshErrors& of(MeshShown shown) const { return errors[std::size_t(shown) - 1]; }
 };
 
-/// Of one request; immutable once it is made.
+/// Result of one request; immutable once it is made.
 struct MeshingResult {
   std::shared_ptr<const Object> object;
   MeshingSettings settings;
@@ -84,7 +87,7 @@ struct MeshingResult {
 struct Meshing {
   bool open = false;
   MeshingSettings settings;
-  double size = 0;  ///< of the object that lengths were chosen for
+  double size = 0;  ///< size of the object that lengths were chosen for
   MeshShown shown = MeshShown::facets;
   bool alone = false;                           ///< facets in the surface's place, not their edges over it
   std::shared_ptr<const MeshingResult> result;  ///< the last one, maybe of earlier settings
@@ -104,7 +107,7 @@ struct Meshing {
 /// none.
 std::shared_ptr<const Object> meshed_object(const Document& document, ObjectId active);
 
-/// Of the four pictures, by view: the mesh made by distance or by normal angle, with either error.
+/// One of the four pictures, by view: the mesh made by distance or by normal angle, with either error.
 struct ComparedPicture {
   std::size_t mesh = 0;
   MeshShown shown = MeshShown::distance;

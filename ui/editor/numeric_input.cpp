@@ -48,7 +48,7 @@ bool NumericInput::key(const KeyPress& press) {
 }
 
 bool NumericInput::active() const {
-  return std::any_of(texts_.begin(), texts_.end(), [](const std::string& text) { return !text.empty(); });
+  return std::ranges::any_of(texts_, [](const std::string& text) { return !text.empty(); });
 }
 
 std::optional<double> NumericInput::value(std::size_t component) const {
@@ -68,7 +68,7 @@ bool NumericInput::unfinished() const {
   std::size_t begin = text.size();
   while (begin > 0 && is_letter(static_cast<unsigned char>(text[begin - 1]))) --begin;
   const std::string_view unit = std::string_view(text).substr(begin);
-  return !unit.empty() && std::any_of(units_.begin(), units_.end(), [&](const UnitFactor& longer) {
+  return !unit.empty() && std::ranges::any_of(units_, [&](const UnitFactor& longer) {
     return longer.name.size() > unit.size() && longer.name.starts_with(unit);
   });
 }

@@ -29,7 +29,7 @@ class NumericInput {
   const std::string& text(std::size_t component) const { return texts_[component]; }
   /// Nothing for an empty field and for one that is no expression (yet).
   std::optional<double> value(std::size_t component = 0) const;
-  /// Why the current field has no value; nothing when it is empty or good.
+  /// Reason why the current field has no value; nothing when it is empty or good.
   std::optional<Message> error() const;
   /// Whether the current field ends with a unit that a letter more makes another one: "8m" on the way to
   /// "8mm". Its value counts when it is confirmed, and is not to be shown before.

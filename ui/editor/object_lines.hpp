@@ -1,6 +1,6 @@
 #pragma once
 
-// What an object is made from, as the lines that are drawn and picked over its surface.
+// Lines that an object is made from, drawn and picked over its surface.
 
 #include <memory>
 
@@ -16,8 +16,8 @@ std::shared_ptr<const DisplayPolyhedron> lines_of(const BezierSource& source);
 /// The loops of an outline, their points numbered through. O(points).
 std::shared_ptr<const DisplayPolyhedron> lines_of(const Outline& outline);
 
-/// Of any object: its polyhedron with attached vertices where their sides are, bodies of solids, control
-/// nets, loops, facets. Null where a surface is made from nothing of the kind, which is a skin.
+/// Lines of any object: its polyhedron with attached vertices where their sides are, bodies of solids,
+/// control nets, loops, facets. Null where a surface is made from nothing of the kind, which is a skin.
 std::shared_ptr<const DisplayPolyhedron> lines_of(const Document& document, const Object& object);
 
 }  // namespace hariko

@@ -5,6 +5,7 @@
 #include "core/document/object_box.hpp"
 #include "core/modeling/objects/transformation.hpp"
 #include "core/modeling/surfacing/object_surfacer.hpp"
+#include "ui/editor/object_kind.hpp"
 
 namespace hariko {
 
@@ -27,7 +28,7 @@ Result<Document> stretched(const Document& document, const Object& object, const
   return transform_object(document, object.id, stretch, object.transform.apply(centre));
 }
 
-/// How long the surface is along an axis, on the grid of `like`.
+/// Length of the surface along an axis.
 Result<double> length_along(const Document& document, ObjectId id, int axis, int density) {
   const Object& object = *document.find(id);
   const auto made = object_surface(document, object);
@@ -64,8 +65,15 @@ Box3 shown_box(const Editor& editor, const Object& object) {
   });
 }
 
+Box3 box_of_visible(const Document& document) {
+  Box3 box;
+  for (const auto& object : document.objects)
+    if (object->visible) box.extend(world_box(*object));
+  return box;
+}
+
 bool stretches(const Object& object) {
-  return object.polyhedron() || object.patches() || object.bezier() || object.mesh();
+  return object_kind(object).stretching() != Stretching::none;
 }
 
 int shown_density(const Editor& editor, const Object& object) {
@@ -90,8 +98,7 @@ Result<Document> with_size(const Document& document, ObjectId id, const Box3& bo
     Vector3 factors = Vector3::Ones();
     factors[axis] = factor;
     result = stretched(document, *object, box.center(), factors);
-    // Only the surface of a polyhedron is no affine image of what it is made from.
-    if (!result || !object->polyhedron()) return result;
+    if (!result || object_kind(*object).stretching() == Stretching::affine) return result;
     const auto length = length_along(*result, id, axis, density);
     if (!length) return length.error();
     if (std::abs(*length - size) <= good_enough * size) break;

@@ -13,6 +13,9 @@ Box3 own_box(const Editor& editor, const Object& object);
 /// The box of the same in the world. O(vertices of the shown mesh).
 Box3 shown_box(const Editor& editor, const Object& object);
 
+/// The box in the world of what the visible objects are made from.
+Box3 box_of_visible(const Document& document);
+
 /// Whether a size can change along one axis alone. Solids, skins and outlines are scaled as a whole.
 bool stretches(const Object& object);
 

@@ -2,10 +2,35 @@
 
 #include "core/document/edits/edits.hpp"
 #include "core/modeling/selection/select_convert.hpp"
+#include "ui/editor/object_kind.hpp"
 
 namespace hariko {
 
 namespace {
+
+const char* why_no_cage(const Object& object) {
+  if (object.cage()) return nullptr;
+  return translatable(
+      "Nothing of a polyhedron or of patches is selected. Click a vertex, an edge or a "
+      "face.");
+}
+
+const char* why_no_polyhedron(const Object& object) {
+  if (object.polyhedron()) return nullptr;
+  return translatable("Nothing of a polyhedron is selected. Click a vertex, an edge or a face.");
+}
+
+const char* why_no_links(const Object& object) {
+  return object_kind(object).why_not_linked();
+}
+
+/// The elements of `all` that are not among the selected ones.
+ElementSelection unselected(ElementSelection all, const ElementSelection& selected) {
+  std::erase_if(all.vertices, [&](VertexId id) { return selected.vertices.contains(id); });
+  std::erase_if(all.edges, [&](const EdgeId& id) { return selected.edges.contains(id); });
+  std::erase_if(all.faces, [&](FaceId id) { return selected.faces.contains(id); });
+  return all;
+}
 
 ElementSet in_mode(const Polyhedron& polyhedron, const ElementSet& set, ElementMode mode) {
   switch (mode) {
@@ -37,13 +62,58 @@ void select_result(Editor& editor, ObjectId id, const ElementSet& result) {
   editor.selection.set(id, std::move(chosen));
 }
 
-bool run_operation(Editor& editor, const Operation& operation, const std::string& label) {
+ElementChange by_cage(std::function<ElementSelection(const Polyhedron&, const ElementSelection&)> change) {
+  return {why_no_cage, [change = std::move(change)](const Object& object, const ElementSelection& elements) {
+            return change(*object.cage(), elements);
+          }};
+}
+
+ElementChange by_polyhedron(
+    std::function<ElementSelection(const PolyhedronSource&, const ElementSelection&)> change) {
+  return {why_no_polyhedron,
+          [change = std::move(change)](const Object& object, const ElementSelection& elements) {
+            return change(*object.polyhedron(), elements);
+          }};
+}
+
+ElementChange by_links() {
+  return {why_no_links, [](const Object& object, const ElementSelection& elements) {
+            return object_kind(object).linked(object, elements);
+          }};
+}
+
+void change_elements(Editor& editor, const ElementChange& change) {
+  const auto before = editor.selection.elements();
+  for (const auto& [id, elements] : before) {
+    const Object* object = editor.document().find(id);
+    if (object && !change.why_not(*object)) editor.selection.set(id, change.change(*object, elements));
+  }
+}
+
+void invert_elements(Editor& editor) {
+  Selection& selection = editor.selection;
+  std::set<ObjectId> objects{selection.active};
+  for (const auto& entry : selection.elements()) objects.insert(entry.first);
+  for (const ObjectId id : objects)
+    if (const Object* object = editor.document().find(id))
+      selection.set(id, unselected(object_kind(*object).all(*object, editor.mode), selection.of(id)));
+}
+
+bool select_linked_to(Editor& editor, const ElementRef& element) {
+  const Object* object = editor.document().find(element.object);
+  if (!object || why_no_links(*object)) return false;
+  Selection one;
+  one.select(element, Selection::How::replace);
+  editor.selection.select(object->id, object_kind(*object).linked(*object, one.of(object->id)),
+                          Selection::How::add);
+  editor.selection.active = object->id;
+  return true;
+}
+
+bool run_operation(Editor& editor, const Operation& operation, const Phrase& label) {
   const ObjectId id = editor.selection.active;
   const Result<ModeledDocument> done = edit_polyhedron(editor.history.current(), id, operation);
-  if (!done) {
-    editor.notify(done.error());
-    return false;
-  }
+  if (!done) return editor.refuse(done.error());
   if (!editor.commit(done->document, label)) return false;
   select_result(editor, id, done->selection);
   return true;
@@ -64,7 +134,7 @@ void say_form_lost(Editor& editor, const std::optional<Message>& why) {
                 editor.language.text_of(*why));
 }
 
-bool run_refinement(Editor& editor, const Refinement& refinement, const std::string& label) {
+bool run_refinement(Editor& editor, const Refinement& refinement, const Phrase& label) {
   std::optional<Message> lost;
   const bool done = run_operation(
       editor,

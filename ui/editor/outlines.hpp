@@ -1,6 +1,6 @@
 #pragma once
 
-// What the editor knows of outlines: which points are selected, and steps that change them. Points are
+// Outlines in the editor: which points are selected, and steps that change them. Points are
 // selected as vertices whose ids are their numbers.
 
 #include <functional>
@@ -29,8 +29,8 @@ struct OutlinePlace {
 };
 OutlinePlace place_of_point(const Object& object, Index number);
 
-/// How many points are inserted in an outline whose surface is known; 0 when it is not. From the number of
-/// its faces by Euler's formula: a sphere's part with as many borders as loops.
+/// Number of points inserted in an outline whose surface is known; 0 when it is not. From the number of its
+/// faces by Euler's formula: a sphere's part with as many borders as loops.
 Index inserted_points(const Editor& editor, const Object& object);
 
 }  // namespace hariko

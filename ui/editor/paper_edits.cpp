@@ -1,8 +1,5 @@
 #include "ui/editor/paper_edits.hpp"
 
-#include <algorithm>
-#include <cmath>
-
 #include "core/unfolding/edit_unfolding.hpp"
 #include "core/unfolding/paper_document.hpp"
 
@@ -63,10 +60,7 @@ Document with_paper_settings(const Document& document, const std::function<void(
 
 bool commit_paper(Editor& editor, const Result<Unfolding>& edited, const std::string& label) {
   PaperState& state = editor.paper;
-  if (!edited.ok()) {
-    editor.notify(edited.error());
-    return false;
-  }
+  if (!edited.ok()) return editor.refuse(edited.error());
   const auto mesh = state.layout ? state.layout->mesh : nullptr;
   if (!mesh) return false;
   const Document& document = editor.history.current();
@@ -100,9 +94,8 @@ void flip_tab(Editor& editor, Index number) {
     commit_paper(editor, std::move(next), translatable("Side of a tab"));
     return;
   }
-  editor.notify(Notice::Kind::info,
-                editor.language(joint.tab ? translatable("There is no room for the tab on the other side.")
-                                          : translatable("There is no room for a tab on either side.")));
+  editor.inform(joint.tab ? "There is no room for the tab on the other side."
+                          : "There is no room for a tab on either side.");
 }
 
 void use_strip(Editor& editor, Index number) {

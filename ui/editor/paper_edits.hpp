@@ -1,6 +1,6 @@
 #pragma once
 
-// What the paper view and its panel do to the document, each as one step.
+// Edits of the document by the paper view and its panel, each as one step.
 
 #include <functional>
 #include <string>
@@ -10,10 +10,10 @@
 
 namespace hariko {
 
-/// What a new paper model begins with: the visible objects, a distance that suits their size, and a scale at
-/// which they are 50 to 500 mm large.
+/// Paper model to begin with: the visible objects, a distance that suits their size, and a scale at which
+/// they are 50 to 500 mm large.
 PaperModel default_paper(const Document& document);
-/// That of the document, or what a new one begins with.
+/// Paper model of the document, or the one that a new one begins with.
 PaperModel paper_of(const Document& document);
 /// The same without cuts and places: cheap to copy.
 PaperModel paper_choices_of(const Document& document);

@@ -1,6 +1,5 @@
 #include "ui/editor/paper_solid.hpp"
 
-#include <cmath>
 #include <limits>
 
 #include "core/surface/facets.hpp"

@@ -3,7 +3,6 @@
 // PaperSolid: the paper model in space, between flat pages and the solid, ready to be drawn and pointed at.
 
 #include <memory>
-#include <optional>
 
 #include "core/unfolding/folding.hpp"
 #include "render/display_mesh.hpp"
@@ -16,7 +15,7 @@ namespace hariko {
 struct PaperSolid {
   std::shared_ptr<const PaperLayout> layout;
   double folded = 1;
-  std::vector<SpaceCorners> corners;               ///< of each facet, in the document's space
+  std::vector<SpaceCorners> corners;               ///< one for each facet, in the document's space
   std::shared_ptr<const DisplayMesh> mesh;         ///< one patch a facet
   std::shared_ptr<const DisplayPolyhedron> lines;  ///< folds that have a line, and cuts
   Box3 box;

@@ -6,7 +6,6 @@
 #include <deque>
 #include <memory>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "core/document/document.hpp"
@@ -35,11 +34,11 @@ struct PaperMesh {
 
 /// A paper model laid out. Immutable; made by workers, or at once after an edit.
 struct PaperLayout {
-  std::shared_ptr<const PaperModel> model;  ///< what it was made from
+  std::shared_ptr<const PaperModel> model;  ///< model that it was made from
   std::shared_ptr<const PaperMesh> mesh;
   Unfolding unfolding;
   SheetDrawing drawing;
-  std::vector<char> overlapping;  ///< of each facet: it, or its piece's tab at it, overlaps something
+  std::vector<char> overlapping;  ///< one for each facet: it, or its piece's tab at it, overlaps something
   std::size_t overlaps = 0;
   std::vector<Index> off_page;  ///< pieces, ascending
   double fitting = 1;           ///< scale at which all pieces fit
@@ -50,14 +49,14 @@ struct PaperLayout {
 std::shared_ptr<const PaperLayout> lay_out_paper(std::shared_ptr<const PaperModel> model,
                                                  std::shared_ptr<const PaperMesh> mesh, Unfolding unfolding);
 
-/// What the pointer is on: at most one of the edge and the joint; the facet goes with an edge.
+/// Target of the pointer: at most one of the edge and the joint; the facet goes with an edge.
 struct PaperHover {
   Index facet = no_index, edge = no_index;
   Index joint = no_index;  ///< its tab or strip
   friend bool operator==(const PaperHover&, const PaperHover&) = default;
 };
 
-/// Why the model cannot be unfolded, and where: lines in the document's space.
+/// Reasons why the model cannot be unfolded, and where: lines in the document's space.
 struct PaperFault {
   std::vector<Message> messages;
   std::vector<std::array<Vector3, 2>> lines;
@@ -74,15 +73,15 @@ class PaperState {
   bool wants_unfolding = false;                ///< the application is to look for cuts
   bool wants_framing = true;                   ///< all pages in the paper view
   bool pending = false;                        ///< the layout is older than the document
-  std::shared_ptr<const PaperMesh> mesh;       ///< of the document's paper model; null until it is there
+  std::shared_ptr<const PaperMesh> mesh;       ///< mesh of the document's paper model; null until it is there
   std::shared_ptr<const PaperLayout> layout;   ///< null until there is one
   std::shared_ptr<const PaperLayout> dragged;  ///< instead, while a piece is moved by hand
   std::optional<PaperFault> fault;
-  Box3 box;  ///< of what the views show of it, the document's space; empty for nothing
+  Box3 box;  ///< bounds of what the views show of it, the document's space; empty for nothing
   PaperHover hovered;
   Index selected = no_index;  ///< a facet of the selected piece
 
-  /// What is to be seen now; null when there is nothing.
+  /// Layout to be seen now; null when there is none.
   const PaperLayout* visible() const { return dragged ? dragged.get() : layout.get(); }
   std::shared_ptr<const PaperLayout> shared_visible() const { return dragged ? dragged : layout; }
   /// Whether views show the paper instead of the objects.

@@ -25,7 +25,7 @@ std::optional<SurfacePoint> surface_point(const SceneBuilder& scene, const Ray& 
 /// for maps without values.
 std::string map_value_text(const Editor& editor, const Language& tr, const SurfacePoint& point);
 
-/// What is there now; nothing when the object or the patch is gone.
+/// Reading at the point now; nothing when the object or the patch is gone.
 std::optional<ProbeReading> read_probe(const Editor& editor, const SurfacePoint& point);
 
 }  // namespace hariko

@@ -79,16 +79,14 @@ bool save_view(Editor& editor, std::string name) {
   if (!editor.commit(add_view(editor.history.current(), view), translatable("Save view"))) return false;
   editor.tell_script({{"view.save", written_view(view)}});
   editor.saved_view = view.name;
-  editor.notify(Notice::Kind::info, fill(editor.language("The view was saved as {0}."), {view.name}));
+  editor.inform({"The view was saved as {0}.", {view.name}});
   return true;
 }
 
 bool go_to_view(Editor& editor, std::string_view name) {
   const SavedView* found = find_view(editor.document(), name);
-  if (!found) {
-    editor.notify(update_view(editor.document(), saved_view_of({}, std::string(name))).error());
-    return false;
-  }
+  if (!found)
+    return editor.refuse(update_view(editor.document(), saved_view_of({}, std::string(name))).error());
   const Camera camera = camera_of(*found);
   View& view = editor.layout.active_view();
   constexpr double same = 1e-6;

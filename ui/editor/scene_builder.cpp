@@ -1,7 +1,5 @@
 #include "ui/editor/scene_builder.hpp"
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "core/document/object_shape.hpp"
@@ -11,47 +9,6 @@
 namespace hariko {
 
 namespace {
-
-bool same(const GridSettings& a, const GridSettings& b) {
-  return a.visible == b.visible && a.height == b.height && a.spacing == b.spacing && a.plane == b.plane;
-}
-
-bool same(const SceneObject& a, const SceneObject& b) {
-  return a.mesh == b.mesh && a.polyhedron == b.polyhedron && a.edge_curves == b.edge_curves &&
-         a.outlined == b.outlined && a.outlined_as_hovered == b.outlined_as_hovered &&
-         a.transform == b.transform && a.copy == b.copy && a.map == b.map && a.range == b.range &&
-         a.show_surface == b.show_surface && a.show_polyhedron == b.show_polyhedron &&
-         a.show_network == b.show_network && a.quiet_network == b.quiet_network &&
-         a.elements_pickable == b.elements_pickable && a.wire == b.wire && a.material == b.material &&
-         a.color == b.color && a.show_tensions == b.show_tensions && a.show_bodies == b.show_bodies &&
-         a.faint_bodies == b.faint_bodies && a.marks == b.marks && a.combs == b.combs &&
-         a.facet_edges == b.facet_edges && a.comb_scale == b.comb_scale && a.failed == b.failed &&
-         a.show_points == b.show_points && a.x_ray == b.x_ray && a.dimmed == b.dimmed &&
-         a.selected == b.selected && a.hovered == b.hovered && a.selected_patches == b.selected_patches &&
-         a.hovered_patches == b.hovered_patches;
-}
-
-bool same(const OverlayLine& a, const OverlayLine& b) {
-  return a.begin == b.begin && a.end == b.end && a.width == b.width && a.on_top == b.on_top;
-}
-
-bool same(const SceneLines& a, const SceneLines& b) {
-  return a.lines == b.lines && a.color == b.color && a.width == b.width;
-}
-
-bool same(const Scene& a, const Scene& b) {
-  return a.objects.size() == b.objects.size() &&
-         std::equal(a.curves.begin(), a.curves.end(), b.curves.begin(), b.curves.end(),
-                    [](const SceneLines& x, const SceneLines& y) { return same(x, y); }) &&
-         std::equal(a.lines.begin(), a.lines.end(), b.lines.begin(), b.lines.end(),
-                    [](const OverlayLine& x, const OverlayLine& y) { return same(x, y); }) &&
-         a.background == b.background && same(a.grid, b.grid) && a.zebra == b.zebra &&
-         a.environment == b.environment && a.section == b.section &&
-         a.colour_blind_safe == b.colour_blind_safe && a.pictures == b.pictures &&
-         a.hidden_opacity == b.hidden_opacity && a.pixel_scale == b.pixel_scale &&
-         std::equal(a.objects.begin(), a.objects.end(), b.objects.begin(),
-                    [](const SceneObject& x, const SceneObject& y) { return same(x, y); });
-}
 
 /// Patches that come from some faces, ascending.
 std::vector<Index> patches_of(const DisplayMesh& mesh, const std::set<FaceId>& faces) {
@@ -96,30 +53,6 @@ void show_errors(const MeshPreview& mesh, MeshShown shown, SceneObject& out) {
   out.map = SurfaceMap::gaussian;
   out.range = errors.range;
   out.facet_edges = mesh.edges;
-}
-
-/// The plane of symmetry of solids as a frame round them, in the colour of its axis.
-void add_symmetry_plane(const Object& object, std::vector<OverlayLine>& lines) {
-  if (!object.visible || !object.solids() || !object.display.polyhedron) return;
-  const SymmetryPlane plane = object.solids()->input->settings.symmetry;
-  if (plane == SymmetryPlane::none) return;
-  Object straight = object;
-  straight.transform = Similarity{};
-  const Box3 box = box_at_own_place(straight);
-  if (box.isEmpty()) return;
-  const auto axis = static_cast<Eigen::Index>(plane) - 1, u = (axis + 1) % 3, v = (axis + 2) % 3;
-  const double margin = 0.08 * box.sizes().maxCoeff();
-  Color color = color_from_hex(std::array{"#e5484d", "#46a758", "#3e82f7"}[static_cast<std::size_t>(axis)]);
-  color.a = 0.8F;
-  const auto corner = [&](bool far_u, bool far_v) {
-    Vector3 out = Vector3::Zero();
-    out[u] = far_u ? box.max()[u] + margin : box.min()[u] - margin;
-    out[v] = far_v ? box.max()[v] + margin : box.min()[v] - margin;
-    return Vector3(object.transform.apply(out));
-  };
-  const std::array corners{corner(false, false), corner(true, false), corner(true, true),
-                           corner(false, true)};
-  for (std::size_t i = 0; i < 4; ++i) lines.push_back({corners[i], corners[(i + 1) % 4], color, 1.6F, false});
 }
 
 /// Section curves over their combs.
@@ -212,7 +145,7 @@ void SceneBuilder::update(const Editor& editor) {
     ids_.push_back(ObjectId{});
   }
   if (const Object* active = editor.has_document ? editor.active_object() : nullptr; active && !paper_)
-    add_symmetry_plane(*active, next.lines);
+    next.lines = object_kind(*active).guides(*active);
   if (editor.paper.shown && editor.paper.fault)
     for (const auto& [from, to] : editor.paper.fault->lines)
       next.lines.push_back({from, to, color_from_hex("#e5484d"), 3, true});
@@ -235,7 +168,7 @@ void SceneBuilder::update(const Editor& editor) {
   if (!paper_) add_copies(editor.document(), editor.mode == ElementMode::object, next);
   std::erase_if(entries_, [&](const auto& entry) { return !editor.document().find(entry.first); });
   const bool compared = !compared_.empty();
-  if (!same(next, scene_)) ++version_;
+  if (!(next == scene_)) ++version_;
   scene_ = std::move(next);
   compare(editor);
   if (compared != !compared_.empty()) ++version_;
@@ -330,9 +263,9 @@ void SceneBuilder::describe_surface(const Editor& editor, const Object& object, 
 
 std::shared_ptr<const EdgeCurves> SceneBuilder::edge_curves_of(const Object& object, const DisplayMesh& mesh,
                                                                const DisplayPolyhedron& polyhedron) {
-  if (!object.polyhedron()) return nullptr;
+  if (!object_kind(object).curves_over_edges()) return nullptr;
   Entry& entry = entries_[object.id];
-  const auto topology = object.polyhedron()->polyhedron.shared_topology();
+  const auto topology = object.cage()->shared_topology();
   if (!entry.edge_curves || entry.edge_curves->curves != mesh.curves() || entry.curves_topology != topology) {
     entry.edge_curves = edge_curves(mesh, polyhedron);
     entry.curves_topology = topology;
@@ -357,10 +290,7 @@ void SceneBuilder::colour_by_view(const Editor& editor, Scene& scene) {
     followers.emplace_back(&shown, std::pow(object->transform.scale, scale_power(*view.map)));
     meshes.push_back(shown.mesh);
   }
-  if (followers.empty()) {
-    view_scale_.reset();
-    return;
-  }
+  if (followers.empty()) return view_scale_.reset();
   const bool same_map = view_scale_ && view_scale_->map == *view.map;
   const double limit = limit_of(editor.document(), *view.map);
   const bool fresh = same_map && scaled_settings_ == view.ranges[*slot] && scaled_limit_ == limit &&

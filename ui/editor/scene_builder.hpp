@@ -25,7 +25,7 @@ class SceneBuilder {
   /// Describes the present state.
   void update(const Editor& editor);
   const Scene& scene() const { return scene_; }
-  /// What a view shows: the same, unless meshes are compared.
+  /// Scene that a view shows: the same in all, unless meshes are compared.
   const Scene& scene_of(int view) const {
     return compared_.empty() ? scene_ : compared_[static_cast<std::size_t>(view)];
   }
@@ -42,9 +42,9 @@ class SceneBuilder {
     std::shared_ptr<const Object> object;
     ObjectLines lines;
     std::shared_ptr<const EdgeCurves> edge_curves;
-    std::shared_ptr<const HalfEdgeMesh> curves_topology;  ///< what the curves of edges were found for
+    std::shared_ptr<const HalfEdgeMesh> curves_topology;  ///< mesh that the curves of edges were found for
     std::shared_ptr<const EdgeMarks> marks;
-    std::shared_ptr<const DisplayMesh::Curves> marked_curves;  ///< what the marks were made from
+    std::shared_ptr<const DisplayMesh::Curves> marked_curves;  ///< curves that the marks were made from
     std::shared_ptr<const ContinuityReport> marked_report;
     ContinuityTolerance marked_tolerance;
   };
@@ -68,7 +68,7 @@ class SceneBuilder {
   std::vector<Scene> compared_;  ///< one a view, or none
   std::shared_ptr<const PaperSolid> paper_;
   std::optional<ViewScale> view_scale_;
-  std::vector<std::shared_ptr<const DisplayMesh>> scaled_meshes_;  ///< what `view_scale_` was measured on
+  std::vector<std::shared_ptr<const DisplayMesh>> scaled_meshes_;  ///< meshes `view_scale_` was measured on
   MapRange scaled_settings_;
   double scaled_limit_ = 0;
   std::vector<ObjectId> ids_;

@@ -69,10 +69,15 @@ std::vector<DrawnSurface> surfaces_to_cut(const Editor& editor) {
   return out;
 }
 
-SectionPlanes spread_over_visible(const Editor& editor, const SectionPlanes& planes) {
+Box3 box_to_cut(const Editor& editor) {
   Box3 box;
   for (const auto& object : editor.document().objects)
     if (object->visible && has_shape(*object)) box.extend(world_box(*object));
+  return box;
+}
+
+SectionPlanes spread_over_visible(const Editor& editor, const SectionPlanes& planes) {
+  const Box3 box = box_to_cut(editor);
   return box.isEmpty() ? planes : spread_planes(planes.direction, planes.count, box);
 }
 

@@ -25,7 +25,7 @@ struct SectionCurves {
   // Made by the application while they are shown; empty before.
   std::shared_ptr<const SectionSet> set;
   std::shared_ptr<const FacetLines> lines, teeth;  ///< null where there are none
-  std::optional<Message> error;                    ///< why there are no curves
+  std::optional<Message> error;                    ///< reason why there are no curves
 
   void forget() {
     set.reset();
@@ -42,6 +42,8 @@ std::shared_ptr<const FacetLines> drawn_section_teeth(const SectionSet& set, con
 /// Surfaces and reference facets of the visible objects that show them, as far as they are ready.
 std::vector<DrawnSurface> surfaces_to_cut(const Editor& editor);
 
+/// Around all that is visible and can be cut.
+Box3 box_to_cut(const Editor& editor);
 /// Planes in the middles of equal slices of what is visible, with the direction and number of `planes`;
 /// unchanged where nothing is visible.
 SectionPlanes spread_over_visible(const Editor& editor, const SectionPlanes& planes);

@@ -1,26 +1,11 @@
 #include "ui/editor/selected_items.hpp"
 
+#include "core/base/text/nearest_word.hpp"
+#include "core/base/text/sanitized_utf8.hpp"
 #include "core/document/group_tree.hpp"
+#include "ui/editor/object_kind.hpp"
 
 namespace hariko {
-
-namespace {
-
-template <class Id>
-SelectedIds<Id> ids_of_active(const Editor& editor, std::set<Id> ElementSelection::*member) {
-  if (editor.mode == ElementMode::object) return {};
-  const auto object = editor.document().find_shared(editor.selection.active);
-  if (!object || !object->polyhedron()) return {};
-  // What a gesture shows may lack elements that are selected in the document it began with.
-  const Polyhedron& polyhedron = object->polyhedron()->polyhedron;
-  SelectedIds<Id> selected;
-  for (const Id id : editor.selection.of(object->id).*member)
-    if (polyhedron.find(id) != no_index) selected.ids.push_back(id);
-  if (!selected.ids.empty()) selected.object = object;
-  return selected;
-}
-
-}  // namespace
 
 Objects chosen_objects(const Editor& editor) {
   Objects objects;
@@ -55,16 +40,35 @@ void choose_objects(Editor& editor, std::span<const ObjectId> objects) {
   editor.selection.active = objects.front();
 }
 
-SelectedIds<VertexId> selected_vertices(const Editor& editor) {
-  return ids_of_active(editor, &ElementSelection::vertices);
+Result<std::vector<ObjectId>> objects_named(const Document& document, std::span<const std::string> names) {
+  std::vector<ObjectId> out;
+  std::vector<std::string> known;
+  for (const auto& object : document.objects) known.push_back(object->name);
+  for (const std::string& name : names) {
+    const std::size_t before = out.size();
+    for (const auto& object : document.objects)
+      if (object->name == name) out.push_back(object->id);
+    if (out.size() > before) continue;
+    constexpr std::size_t shown_bytes = 120;
+    const auto near = nearest_word(name, known);
+    return make_error(e_no_object_named,
+                      "There is no object called \"" + shortened(name, shown_bytes) + "\"." +
+                          (near ? " Did you mean \"" + *near + "\"?" : std::string()),
+                      "`hariko info` lists the names.");
+  }
+  return out;
 }
 
-SelectedIds<EdgeId> selected_edges(const Editor& editor) {
-  return ids_of_active(editor, &ElementSelection::edges);
+std::string describe_in(const Object* object, const ElementSelection& selection, const Language& tr) {
+  return object ? object_kind(*object).describe(selection, tr) : describe(selection, tr);
 }
 
-SelectedIds<FaceId> selected_faces(const Editor& editor) {
-  return ids_of_active(editor, &ElementSelection::faces);
+std::string left_out_text(const Editor& editor, const std::string& keys) {
+  if (!editor.left_out || !(editor.left_out->selection == editor.selection)) return {};
+  const std::size_t count = editor.left_out->count;
+  const Language& tr = editor.language;
+  return tr.counted(count, "1 hidden element left out", "{0} hidden elements left out") +
+         (keys.empty() ? std::string() : "   " + fill(tr("{0}: take hidden ones, too"), {keys}));
 }
 
 }  // namespace hariko

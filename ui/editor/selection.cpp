@@ -1,6 +1,5 @@
 #include "ui/editor/selection.hpp"
 
-#include <algorithm>
 #include <utility>
 
 #include "ui/base/language.hpp"
@@ -18,10 +17,10 @@ void change(std::set<Id>& set, Id id, bool present) {
     set.erase(id);
 }
 
-void append_count(std::string& text, std::size_t count, const char* one, const std::string& many) {
+void append_count(std::string& text, std::size_t count, const std::string& counted) {
   if (count == 0) return;
   if (!text.empty()) text += ", ";
-  text += count == 1 ? std::string(one) : fill(many, {std::to_string(count)});
+  text += counted;
 }
 
 }  // namespace
@@ -151,16 +150,6 @@ Selection converted(const Selection& selection, const Document& document, Elemen
   return result;
 }
 
-void change_elements(
-    Selection& selection, const Document& document,
-    const std::function<ElementSelection(const PolyhedronSource&, const ElementSelection&)>& change) {
-  const auto before = selection.elements();
-  for (const auto& [id, elements] : before) {
-    const Object* object = document.find(id);
-    if (object && object->polyhedron()) selection.set(id, change(*object->polyhedron(), elements));
-  }
-}
-
 Highlights highlights_of(const ElementSelection& selection, const Polyhedron& polyhedron) {
   Highlights highlights;
   const auto add = [&](std::vector<Index>& to, auto id) {
@@ -191,9 +180,11 @@ std::string describe(const ElementSelection& selection) {
 
 std::string describe(const ElementSelection& selection, const Language& tr) {
   std::string text;
-  append_count(text, selection.vertices.size(), tr("1 vertex"), tr("{0} vertices"));
-  append_count(text, selection.edges.size(), tr("1 edge"), tr("{0} edges"));
-  append_count(text, selection.faces.size(), tr("1 face"), tr("{0} faces"));
+  const std::size_t vertices = selection.vertices.size(), edges = selection.edges.size();
+  const std::size_t faces = selection.faces.size();
+  append_count(text, vertices, tr.counted(vertices, "1 vertex", "{0} vertices"));
+  append_count(text, edges, tr.counted(edges, "1 edge", "{0} edges"));
+  append_count(text, faces, tr.counted(faces, "1 face", "{0} faces"));
   return text.empty() ? tr("nothing selected") : text;
 }
 

@@ -2,7 +2,6 @@
 
 // Selection: chosen elements and objects by their stable ids, so that it survives edits, undo and redo.
 
-#include <functional>
 #include <map>
 #include <optional>
 #include <set>
@@ -18,7 +17,7 @@ namespace hariko {
 
 class Language;
 
-/// Which elements a click takes.
+/// Elements that a click takes.
 enum class ElementMode { vertex, edge, face, object };
 /// For objects: vertices.
 ElementKind kind_of(ElementMode mode);
@@ -39,9 +38,9 @@ class Selection {
 
   /// The object that the panels are about; 0xffffffff when there is none.
   ObjectId active;
-  /// What was selected last: the pivot of transformations, when that is asked for.
+  /// Element that was selected last: the pivot of transformations, when that is asked for.
   std::optional<ElementRef> last;
-  /// What the selection of elements began with, as long as it is selected; nothing when many came at once.
+  /// Element that the selection began with, as long as it is selected; nothing when many came at once.
   std::optional<ElementRef> first;
 
   const ElementSelection& of(ObjectId object) const;
@@ -79,11 +78,6 @@ class Selection {
 /// The selection as elements of another kind: edges become their ends, faces with all corners selected ... An
 /// object becomes all of its elements, elements become their object.
 Selection converted(const Selection& selection, const Document& document, ElementMode from, ElementMode to);
-
-/// Replaces what is selected of each polyhedron that has something selected.
-void change_elements(
-    Selection& selection, const Document& document,
-    const std::function<ElementSelection(const PolyhedronSource&, const ElementSelection&)>& change);
 
 /// Dense indices of what is selected, for drawing.
 Highlights highlights_of(const ElementSelection& selection, const Polyhedron& polyhedron);

@@ -2,7 +2,6 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <array>
 #include <numbers>
 #include <span>
 
@@ -80,7 +79,7 @@ std::string vertices_text(const Editor& editor, const Object& object, const Elem
 
 /// The surface of a polyhedron, unless it is that of an earlier state.
 const SurfaceView* present_surface(const Editor& editor, const Object& object) {
-  const SurfaceView* view = object.polyhedron() ? editor.view_of(object.id) : nullptr;
+  const SurfaceView* view = object_kind(object).curves_over_edges() ? editor.view_of(object.id) : nullptr;
   const bool present =
       view && view->mesh && !view->error && view->object && view->object->source == object.source;
   return present ? view : nullptr;
@@ -89,7 +88,7 @@ const SurfaceView* present_surface(const Editor& editor, const Object& object) {
 /// Whether the polyhedron itself is measured: there is no surface, and none is being made.
 bool without_surface(const Editor& editor, const Object& object) {
   const SurfaceView* view = editor.view_of(object.id);
-  return object.cage() && (!object.polyhedron() || (view && view->error));
+  return object.cage() && (!object_kind(object).curves_over_edges() || (view && view->error));
 }
 
 double straight_length(const Polyhedron& cage, const ElementSelection& elements) {
@@ -122,7 +121,7 @@ double flat_area(const Polyhedron& cage, const ElementSelection& elements) {
 /// The element's own of what a surface has of it: with a live mirror the images follow, as many again.
 template <class Part>
 std::span<const Part> without_images(const Object& object, const std::vector<Part>& parts) {
-  const bool mirrored = object.polyhedron() && object.polyhedron()->mirror;
+  const bool mirrored = object.live_mirror() != nullptr;
   const std::size_t own = mirrored && parts.size() % 2 == 0 ? parts.size() / 2 : parts.size();
   return std::span(parts).first(own);
 }
@@ -168,10 +167,8 @@ void SelectionSize::begin(const Editor& editor) {
   objects_.clear();
   box_.setEmpty();
   sum_ = 0;
-  if (editor.mode == ElementMode::object) {
-    objects_.assign(editor.selection.objects().begin(), editor.selection.objects().end());
-    return;
-  }
+  if (editor.mode == ElementMode::object)
+    return objects_.assign(editor.selection.objects().begin(), editor.selection.objects().end());
   const Object* object = editor.active_object();
   if (!object) return;
   const ElementSelection& elements = editor.selection.of_active();

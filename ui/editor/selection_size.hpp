@@ -32,7 +32,7 @@ class SelectionSize {
   struct Key {
     ElementMode mode = ElementMode::vertex;
     Unit unit = Unit::millimetre;
-    LanguageId language = LanguageId::english;
+    std::string language;
     Selection selection;
     std::vector<std::shared_ptr<const void>> parts;
   };
@@ -46,9 +46,9 @@ class SelectionSize {
 
   std::optional<Key> key_;
   std::string text_;
-  std::shared_ptr<const DisplayMesh> indexed_;  ///< whose surface `index_` is of
+  std::shared_ptr<const DisplayMesh> indexed_;  ///< mesh whose surface `index_` is of
   SurfaceElements index_;
-  Surface surface_;  ///< of the curves and patches
+  Surface surface_;  ///< surface of the curves and patches
   std::vector<SideCurve> curves_;
   std::vector<Index> patches_;
   std::vector<ObjectId> objects_;

@@ -22,24 +22,18 @@ bool commit_skin(Editor& editor, ObjectId object, const Result<SkinEdit>& edit, 
   if (const Object* changed = editor.document().find(object)) box = box_at_own_place(*changed);
   const double size = box.isEmpty() ? 0 : box.sizes().maxCoeff();
   if (edit->deviation > 1e-6 * size)
-    editor.notify(Notice::Kind::info, fill(editor.language("The curve moved by up to {0}."),
-                                           {format_number(edit->deviation, 3)}));
+    editor.inform({"The curve moved by up to {0}.", {format_number(edit->deviation, 3)}});
   return true;
 }
 
 bool commit_skin(Editor& editor, ObjectId object, const Result<CorrespondenceEdit>& edit,
                  const std::string& label) {
-  if (!edit) {
-    editor.notify(edit.error());
-    return false;
-  }
+  if (!edit) return editor.refuse(edit.error());
   if (!editor.commit(set_skin(editor.history.current(), object, edit->skin), label)) return false;
   if (!edit->removed.empty() && !edit->added.empty())
-    editor.notify(Notice::Kind::info,
-                  edit->removed.size() == 1
-                      ? std::string(editor.language("A correspondence that would cross gave way."))
-                      : fill(editor.language("{0} correspondences that would cross gave way."),
-                             {std::to_string(edit->removed.size())}));
+    editor.inform(edit->removed.size() == 1 ? Phrase("A correspondence that would cross gave way.")
+                                            : Phrase("{0} correspondences that would cross gave way.",
+                                                     {std::to_string(edit->removed.size())}));
   return true;
 }
 
@@ -92,7 +86,7 @@ const SkinSection* selected_section(const Editor& editor) {
   const auto ids = selected_section_points(editor);
   if (!object || ids.empty()) return nullptr;
   for (const SkinSection& section : object->skin()->skin->sections)
-    if (std::all_of(ids.begin(), ids.end(), [&](std::uint32_t id) { return find_point(section, id) >= 0; }))
+    if (std::ranges::all_of(ids, [&](std::uint32_t id) { return find_point(section, id) >= 0; }))
       return &section;
   return nullptr;
 }

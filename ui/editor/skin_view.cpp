@@ -64,7 +64,7 @@ void name_entry(const Skin& skin, const PlannedStrip& strip, const PointPair& pa
   if (skin.method == SkinMethod::pleat) look(skin.merges);
 }
 
-/// What of the mesh is not as in a regular grid.
+/// Adds the irregularities of the mesh: what is not as in a regular grid.
 void add_irregularities(const ControlMesh& control, const SubdivisionPatchSet& patches, const Vector3& origin,
                         SkinView& out) {
   const PolygonMesh& mesh = control.mesh;
@@ -263,7 +263,7 @@ std::vector<std::size_t> connected_lines(const SkinView& view, std::size_t line)
     while (!front.empty()) {
       std::vector<std::size_t> next;
       for (std::size_t l = 0; l < view.lines.size(); ++l) {
-        const bool joins = std::any_of(front.begin(), front.end(), [&](std::size_t f) {
+        const bool joins = std::ranges::any_of(front, [&](std::size_t f) {
           const SkinView::Line &one = view.lines[f], &other = view.lines[l];
           return onward ? one.second == other.first && one.b == other.a
                         : other.second == one.first && other.b == one.a;

@@ -1,7 +1,8 @@
 #pragma once
 
-// What is shown of a skin and can be taken hold of: curves and points as they are now, correspondence lines
-// as the surface has them that the worker made last. Positions are in the object's space.
+// Handles and lines of a skin, which are shown and can be taken hold of: curves and points as they are now,
+// correspondence lines as the surface has them that the worker made last. Positions are in the object's
+// space.
 
 #include <array>
 #include <cstdint>
@@ -23,7 +24,7 @@ inline bool is_path_point(std::uint32_t id) {
 /// there is none with this id.
 std::optional<Vector3> skin_point(const Skin& skin, std::uint32_t id);
 
-/// Of the curves that are shown, for each of their spans.
+/// Samples of each span of the curves that are shown.
 inline constexpr int curve_samples = 12;
 
 struct SkinView {
@@ -36,7 +37,7 @@ struct SkinView {
     /// place: where a section that can slide lies on the path.
     enum class Kind { control, limit, path, place };
     Kind kind = Kind::control;
-    std::uint32_t id = 0;  ///< of the section point, of the point of the path, or of the section
+    std::uint32_t id = 0;  ///< id of the section point, of the point of the path, or of the section
     int section = -1;
     Vector3 position = Vector3::Zero();
     bool sharp = false;
@@ -49,8 +50,8 @@ struct SkinView {
     std::optional<std::uint32_t> entry;  ///< link or merge that it belongs to
     bool locked = false;
     std::vector<Vector3> points;
-    std::vector<double> along;  ///< of the points, 0 at the strip's first section .. 1
-    double begin = 0, end = 1;  ///< of the strip on the path; beyond 1 across the seam of a closed one
+    std::vector<double> along;  ///< places of the points, 0 at the strip's first section .. 1
+    double begin = 0, end = 1;  ///< range of the strip on the path; beyond 1 across the seam of a closed one
   };
   struct Diamond {
     std::uint32_t merge = 0;
@@ -60,7 +61,7 @@ struct SkinView {
   /// A column of a smooth skin.
   struct Column {
     std::vector<Vector3> points;
-    std::vector<double> places;  ///< of the points on the path, ascending
+    std::vector<double> places;  ///< places of the points on the path, ascending
   };
   std::vector<Section> sections;
   std::vector<std::vector<Vector3>> paths;  ///< the path, and the second rail, evenly by their parameters
@@ -69,7 +70,7 @@ struct SkinView {
   std::vector<Diamond> diamonds;
   std::vector<Column> columns;
   std::vector<Vector3> extraordinary;             ///< vertices of the mesh that are not regular
-  std::vector<std::array<Vector3, 3>> triangles;  ///< of the mesh
+  std::vector<std::array<Vector3, 3>> triangles;  ///< triangles of the mesh
   bool path_closed = false;
 };
 
@@ -92,7 +93,7 @@ const Object* shown_skin(const Editor& editor);
 /// The surface of an object that was made last; null where there is none.
 const Surface* shown_surface(const Editor& editor, const Object& object);
 
-/// What a press would take hold of.
+/// Thing that a press would take hold of.
 struct SkinHit {
   enum class Kind { none, handle, diamond };
   Kind kind = Kind::none;
@@ -108,14 +109,14 @@ struct LineHit {
   std::size_t line = 0;
   double along = 0, distance = 0;  ///< fraction of the strip; pixels
 };
-/// Of the strips that begin with these sections, or of all.
+/// Nearest line of the strips that begin with these sections, or of all.
 std::optional<LineHit> nearest_line(const SkinView& view, const Object& object, const Projector& projector,
                                     const Vector2& pixel, const std::vector<std::uint32_t>& strips = {});
 
 /// A line with those that go on from its ends over the other sections; itself first.
 std::vector<std::size_t> connected_lines(const SkinView& view, std::size_t line);
 
-/// Where the path is nearest to a pixel: its parameter; nothing where it cannot be seen.
+/// Parameter of the path where it is nearest to a pixel; nothing where it cannot be seen.
 std::optional<double> path_place(const SkinView& view, const Object& object, const Projector& projector,
                                  const Vector2& pixel);
 

@@ -2,17 +2,23 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
+#include "core/document/edits/edit_solids.hpp"
+#include "core/document/object_box.hpp"
 #include "core/envelope/scene_symmetry.hpp"
 #include "core/geometry/tolerant_hull.hpp"
+#include "ui/base/language.hpp"
+#include "ui/editor/editor.hpp"
+#include "ui/editor/object_kind.hpp"
 
 namespace hariko {
 
 namespace {
 
-constexpr int round_sides = 32;  ///< of circles
+constexpr int round_sides = 32;  ///< sides of circles
 constexpr int quarter = round_sides / 4;
 constexpr int tube_sides = 16;
 
@@ -210,6 +216,121 @@ Highlights highlights_of_solids(const DisplayPolyhedron& display, const std::set
   for (Index f = 0; f < display.face_count(); ++f)
     if (ids.contains(VertexId{display.face_ids[f].value})) out.faces.push_back(f);
   return out;
+}
+
+// The kind of objects made of solids, each selected as a vertex with its id.
+
+namespace {
+
+class SolidsKind final : public ObjectKind {
+ public:
+  ElementSelection all(const Object& object, ElementMode) const override {
+    ElementSelection all;
+    for (const Solid& solid : object.solids()->input->solids) all.vertices.insert(VertexId{solid.id});
+    return all;
+  }
+
+  ElementSelection converted(const Object&, const ElementSelection& selection, ElementMode,
+                             ElementMode) const override {
+    return selection;
+  }
+
+  std::string describe(const ElementSelection& selection, const Language& tr) const override {
+    const std::size_t count = selection.vertices.size();
+    if (count == 0) return ObjectKind::describe(selection, tr);
+    return tr.counted(count, "1 solid", "{0} solids");
+  }
+
+  std::string title(const Element& element, const Language& tr) const override {
+    return fill(tr("Solid {0}"), {std::to_string(element.id)});
+  }
+
+  std::optional<Vector3> place(const Object& object, const Element& element) const override {
+    const Solid* solid = find_solid(object, static_cast<std::uint32_t>(element.id));
+    return solid ? std::optional<Vector3>(solid->position) : std::nullopt;
+  }
+
+  std::vector<Vector3> extent(const Object& object, const ElementSelection& selection) const override {
+    std::vector<Vector3> out;
+    for (const VertexId id : selection.vertices)
+      if (const Solid* solid = find_solid(object, id.value))
+        for (int corner = 0; corner < 8; ++corner)
+          out.push_back(box_of(*solid).corner(static_cast<Box3::CornerType>(corner)));
+    return out;
+  }
+
+  ObjectLines lines(const Document&, const Object& object, const Object* before,
+                    const ObjectLines& drawn) const override {
+    const SolidsSource* old = before ? before->solids() : nullptr;
+    if (old && *old == *object.solids()) return drawn;
+    return {display_of(*object.solids()), {}};
+  }
+
+  Highlights highlights(const Object&, const ElementSelection& selection,
+                        const DisplayPolyhedron& lines) const override {
+    return highlights_of_solids(lines, selection.vertices);
+  }
+
+  const char* why_not_linked() const override {
+    return translatable("Solids are not connected with each other. Shift+click takes one more.");
+  }
+
+  ElementsShown elements_shown() const override { return ElementsShown::bodies; }
+
+  std::vector<ObjectBody> bodies(const Object& object) const override {
+    std::vector<ObjectBody> out;
+    for (const Solid& solid : object.solids()->input->solids)
+      out.push_back(
+          {element_of(VertexId{solid.id}), display_of(SolidsSource{EnvelopeInput{{solid}, {}}, {}})});
+    return out;
+  }
+
+  /// They lie inside of their surface.
+  void adjust(const Object& object, const ViewSettings& view, SceneObject& shown) const override {
+    if (view.surfaces_only) return;
+    shown.x_ray = true;
+    shown.show_points = false;
+    shown.show_bodies = view.bodies && shown.show_polyhedron;
+    shown.faint_bodies = object.locked;
+  }
+
+  void adjust_in_file(const Object&, SceneObject& shown, std::vector<OverlayLine>&) const override {
+    shown.show_network = shown.show_points = false;
+    shown.show_polyhedron = shown.show_bodies = shown.x_ray = true;
+  }
+
+  /// The plane of symmetry as a frame round the solids, in the colour of its axis.
+  std::vector<OverlayLine> guides(const Object& object) const override {
+    std::vector<OverlayLine> out;
+    if (!object.visible || !object.display.polyhedron) return out;
+    const SymmetryPlane plane = object.solids()->input->settings.symmetry;
+    if (plane == SymmetryPlane::none) return out;
+    Object straight = object;
+    straight.transform = Similarity{};
+    const Box3 box = box_at_own_place(straight);
+    if (box.isEmpty()) return out;
+    const auto axis = static_cast<Eigen::Index>(plane) - 1, u = (axis + 1) % 3, v = (axis + 2) % 3;
+    const double margin = 0.08 * box.sizes().maxCoeff();
+    Color color = color_from_hex(std::array{"#e5484d", "#46a758", "#3e82f7"}[static_cast<std::size_t>(axis)]);
+    color.a = 0.8F;
+    const auto corner = [&](bool far_u, bool far_v) {
+      Vector3 at = Vector3::Zero();
+      at[u] = far_u ? box.max()[u] + margin : box.min()[u] - margin;
+      at[v] = far_v ? box.max()[v] + margin : box.min()[v] - margin;
+      return Vector3(object.transform.apply(at));
+    };
+    const std::array corners{corner(false, false), corner(true, false), corner(true, true),
+                             corner(false, true)};
+    for (std::size_t i = 0; i < 4; ++i) out.push_back({corners[i], corners[(i + 1) % 4], color, 1.6F, false});
+    return out;
+  }
+};
+
+}  // namespace
+
+const ObjectKind& solids_kind() {
+  static const SolidsKind kind;
+  return kind;
 }
 
 }  // namespace hariko

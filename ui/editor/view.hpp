@@ -22,7 +22,7 @@ class View {
 
   /// Eased while a change is under way; a change of the projection comes at its orthographic end.
   Camera camera(double now) const;
-  /// Where the camera flies to, or is.
+  /// Camera as it is, or where it flies to.
   const Camera& goal() const { return to_; }
   /// At once; ends a flight.
   void set(const Camera& camera);

@@ -46,14 +46,13 @@ std::vector<Pane> ViewLayout::panes() const {
 
 bool ViewLayout::shows(int view) const {
   const auto shown = panes();
-  return std::any_of(shown.begin(), shown.end(), [&](const Pane& pane) { return pane.view == view; });
+  return std::ranges::any_of(shown, [&](const Pane& pane) { return pane.view == view; });
 }
 
 bool ViewLayout::flying(double now) const {
   const auto shown = panes();
-  return std::any_of(shown.begin(), shown.end(), [&](const Pane& pane) {
-    return views[static_cast<std::size_t>(pane.view)].flying(now);
-  });
+  return std::ranges::any_of(
+      shown, [&](const Pane& pane) { return views[static_cast<std::size_t>(pane.view)].flying(now); });
 }
 
 }  // namespace hariko

@@ -26,7 +26,7 @@ class ViewLayout {
   std::array<View, count> views{View(StandardView::iso, false, true), View(StandardView::top, true, false),
                                 View(StandardView::front, true, false),
                                 View(StandardView::right, true, false)};
-  /// Where the middle lies when there are several views, in [least_split, 1 - least_split].
+  /// Place of the middle when there are several views, in [least_split, 1 - least_split].
   float split_x = 0.5F, split_y = 0.5F;
   static constexpr float least_split = 0.15F;
 

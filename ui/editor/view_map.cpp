@@ -1,11 +1,12 @@
 #include "ui/editor/view_map.hpp"
 
+#include "core/document/object_shape.hpp"
 #include "render/color_map.hpp"
 
 namespace hariko {
 
 bool can_show(const Object& object, SurfaceMap map) {
-  if (!object.mesh()) return object.has_surface();
+  if (!is_faceted(object)) return object.has_surface();
   return !has_values(map) || (is_of_making(map) && map != SurfaceMap::radius);
 }
 

@@ -27,19 +27,7 @@ std::vector<ElementRef> selected_point_refs(const Editor& editor) {
 }  // namespace
 
 const char* plane_name(WorkingPlane::Kind kind) {
-  switch (kind) {
-    case WorkingPlane::Kind::ground:
-      return translatable("Ground");
-    case WorkingPlane::Kind::view:
-      return translatable("View plane");
-    case WorkingPlane::Kind::face:
-      return translatable("Face");
-    case WorkingPlane::Kind::points:
-      return translatable("Three points");
-    case WorkingPlane::Kind::section:
-      return translatable("Section");
-  }
-  return "";
+  return name_among(kind, {"Ground", "View plane", "Face", "Three points", "Section"});
 }
 
 WorkingPlane plane_of_view(const Editor& editor) {

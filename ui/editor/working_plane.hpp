@@ -13,7 +13,7 @@ class Editor;
 struct WorkingPlane {
   enum class Kind { ground, view, face, points, section };
   Kind kind = Kind::ground;
-  PlaneFrame frame;  ///< of the ground: the axes of the document
+  PlaneFrame frame;  ///< frame of the ground: the axes of the document
 
   bool is_ground() const { return kind == Kind::ground; }
   friend bool operator==(const WorkingPlane&, const WorkingPlane&) = default;

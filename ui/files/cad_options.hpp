@@ -1,6 +1,6 @@
 #pragma once
 
-// How surfaces are written as STEP and IGES, as rows in the file dialog, with what that makes of them.
+// Options of STEP and IGES export, as rows in the file dialog, with what they make of the surfaces.
 
 #include <filesystem>
 #include <optional>
@@ -21,22 +21,20 @@ class CadOptions {
   void begin(const Editor& editor);
   /// Draws the rows for a file of this name. True when the faces are others than before, and what is known
   /// has to be found anew.
-  bool draw(const Editor& editor, Marks& marks, const Metrics& metrics, const std::filesystem::path& name);
-  /// What the faces of these settings are like.
+  bool draw(PanelContext& context, const std::filesystem::path& name);
+  /// Takes what was found of the faces of these settings.
   void take(const CadSettings& settings, const Result<CadTotals>& count);
 
   const CadSettings& settings() const { return settings_; }
   void remember(const CadChoices& choices) { settings_.choices = choices; }
 
  private:
-  void quality_row(const Editor& editor, Marks& marks, const Metrics& metrics);
-  void tolerance_row(const Editor& editor, Marks& marks, const Metrics& metrics);
-  void selected_row(const Language& tr, Marks& marks, const Metrics& metrics);
-  void unit_row(const Editor& editor, Marks& marks, const Metrics& metrics);
-  void schema_row(const Language& tr, Marks& marks, const Metrics& metrics,
-                  const std::filesystem::path& name);
-  void result_rows(const Editor& editor, Marks& marks) const;
-  /// Of what is visible, as it is written.
+  void quality_row(PanelContext& context);
+  void tolerance_row(PanelContext& context);
+  void unit_row(PanelContext& context);
+  void schema_row(PanelContext& context, const std::filesystem::path& name);
+  void result_rows(PanelContext& context) const;
+  /// Size of what is visible, as it is written.
   double size() const { return settings_.choices.scale * size_; }
   /// Distance of a quality, in the document's unit.
   double tolerance_of(CadQuality quality, Unit unit) const;
@@ -45,7 +43,7 @@ class CadOptions {
   CadSettings settings_;
   double size_ = 0;  ///< diagonal of what is visible
   std::string tolerance_text_, angle_text_, scale_text_;
-  std::optional<Result<CadTotals>> count_;  ///< of `settings_`; nothing while it is being found
+  std::optional<Result<CadTotals>> count_;  ///< totals for `settings_`; nothing while they are being found
 };
 
 }  // namespace hariko

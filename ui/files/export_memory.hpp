@@ -5,7 +5,6 @@
 #include <map>
 #include <string>
 
-#include "ui/files/drawing_order.hpp"
 #include "ui/files/export_settings.hpp"
 #include "ui/files/picture_order.hpp"
 

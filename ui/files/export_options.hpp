@@ -1,6 +1,6 @@
 #pragma once
 
-// How fine exported triangles are, as rows in the file dialog, with how many there will be.
+// Options of exported triangles, how fine they are, as rows in the file dialog, with their number.
 
 #include <filesystem>
 #include <map>
@@ -22,13 +22,13 @@ class ExportOptions {
   void begin(const Editor& editor, const std::filesystem::path& name);
   /// Draws the rows for a file of this name; each format has settings of its own. True when the triangles are
   /// others than before, and what is known has to be found anew.
-  bool draw(const Editor& editor, Marks& marks, const Metrics& metrics, const std::filesystem::path& name);
-  /// What the triangles of these settings are like.
+  bool draw(PanelContext& context, const std::filesystem::path& name);
+  /// Takes what was found of the triangles of these settings.
   void take(const ExportSettings& settings, const Result<ExportCount>& count);
 
   const ExportSettings& settings() const { return settings_; }
 
-  /// What each format had last, by its ending.
+  /// Last settings of each format, by its ending.
   const std::map<std::string, ExportSettings>& remembered() const { return remembered_; }
   void remember(std::map<std::string, ExportSettings> formats) { remembered_ = std::move(formats); }
 
@@ -37,17 +37,17 @@ class ExportOptions {
   void take_up(const std::filesystem::path& name);
   /// Another tolerance where the one chosen makes no sense for what is visible; texts as the numbers are.
   void suit_size();
-  void kind_row(const Editor& editor, Marks& marks, const Metrics& metrics);
-  void file_row(const Editor& editor, Marks& marks, const Metrics& metrics, const FormatChoices& format);
-  void tolerance_row(const Editor& editor, Marks& marks, const Metrics& metrics);
-  void result_row(const Editor& editor, Marks& marks) const;
+  void kind_row(PanelContext& context);
+  void file_row(PanelContext& context, const FormatChoices& format);
+  void tolerance_row(PanelContext& context);
+  void result_row(PanelContext& context) const;
 
   ExportSettings settings_;
-  std::string extension_;  ///< whose settings these are
+  std::string extension_;  ///< format whose settings these are
   std::map<std::string, ExportSettings> remembered_;
   double size_ = 0;  ///< diagonal of what is visible
   std::string distance_text_, angle_text_, scale_text_;
-  std::optional<Result<ExportCount>> count_;  ///< of `settings_`; nothing while it is being found
+  std::optional<Result<ExportCount>> count_;  ///< count for `settings_`; nothing while it is being found
 };
 
 }  // namespace hariko

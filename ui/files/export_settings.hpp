@@ -1,7 +1,7 @@
 #pragma once
 
-// How surfaces become the triangles or faces of an exported file, and what is known of them before it is
-// written.
+// Settings by which surfaces become the triangles or faces of an exported file, and what is known of them
+// before it is written.
 
 #include <cstddef>
 #include <cstdint>
@@ -54,7 +54,7 @@ struct CadSettings {
   }
 };
 
-/// What was written, all objects together.
+/// Totals of an exported file, all objects together.
 struct ExportReport {
   std::size_t triangles = 0;
   Vector3 moved = Vector3::Zero();  ///< the point of the file's space that was brought to zero
@@ -63,7 +63,7 @@ struct ExportReport {
   std::uintmax_t bytes = 0;
 };
 
-/// Of all objects together.
+/// Totals found before a file is exported, all objects together.
 struct ExportCount {
   std::size_t triangles = 0;
   /// By tolerance only. `certain`: no point is farther off; else samples showed it.

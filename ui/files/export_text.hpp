@@ -1,6 +1,6 @@
 #pragma once
 
-// What the designer is told of a file, before and after it is written.
+// Texts about a file for the designer, before and after it is written.
 
 #include <filesystem>
 #include <string>

@@ -1,16 +1,19 @@
 #include "ui/files/file_dialog.hpp"
 
 #include <imgui_internal.h>
-#include <imgui_stdlib.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
+#include <string_view>
+#include <utility>
 
 #include "core/base/files/file_ending.hpp"
-#include "ui/base/file_formats.hpp"
 #include "ui/base/icons.hpp"
-#include "ui/base/text_lines.hpp"
 #include "ui/files/export_text.hpp"
+#include "ui/widgets/inputs.hpp"
+#include "ui/widgets/items.hpp"
+#include "ui/widgets/lists.hpp"
 #include "ui/widgets/overlay_window.hpp"
 #include "ui/widgets/tips.hpp"
 
@@ -19,6 +22,38 @@ namespace hariko {
 namespace fs = std::filesystem;
 
 namespace {
+
+/// "Wavefront OBJ" of ".obj", in English, to be translated; the ending itself where it is not known.
+const char* format_name(std::string_view ending) {
+  static constexpr std::array<std::pair<std::string_view, const char*>, 23> names{{
+      {".hariko", translatable("Hariko document")},
+      {".obj", "Wavefront OBJ"},
+      {".off", "OFF"},
+      {".ply", "PLY"},
+      {".stl", "STL"},
+      {".glb", translatable("glTF, one file")},
+      {".gltf", "glTF"},
+      {".3mf", "3MF"},
+      {".bpt", translatable("Bezier patches")},
+      {".json", "JSON"},
+      {".step", "STEP"},
+      {".stp", "STEP"},
+      {".iges", "IGES"},
+      {".igs", "IGES"},
+      {".png", translatable("PNG picture")},
+      {".jpg", translatable("JPEG picture")},
+      {".jpeg", translatable("JPEG picture")},
+      {".webp", translatable("WebP picture")},
+      {".svg", translatable("SVG line drawing")},
+      {".pdf", "PDF"},
+      {".dxf", "DXF"},
+      {".jsonl", translatable("Replay")},
+      {"", ""},
+  }};
+  for (const auto& [known, name] : names)
+    if (known == ending) return name;
+  return "";
+}
 
 constexpr float label_width = 96, places_width = 150;
 
@@ -70,7 +105,7 @@ bool FileDialog::matches(const fs::path& file) const {
 void FileDialog::go_to(const fs::path& folder) {
   auto entries = list_folder(folder, [this](const fs::path& file) { return matches(file); });
   if (!entries.ok()) {
-    error_ = fill(translatable("The folder {0} cannot be read."), {folder.string()});
+    error_ = Phrase(translatable("The folder {0} cannot be read."), {folder.string()});
     return;
   }
   std::error_code error;
@@ -79,7 +114,7 @@ void FileDialog::go_to(const fs::path& folder) {
   entries_ = std::move(entries).value();
   sort_entries(entries_, order_, descending_);
   at_.reset();
-  error_.clear();
+  error_ = {};
 }
 
 bool FileDialog::replaces_something(const fs::path& path) {
@@ -107,7 +142,7 @@ void FileDialog::submit(bool overwrite) {
     if (!matches(path)) {
       std::string endings;
       for (const std::string& extension : request_.extensions) endings += " " + extension;
-      error_ = fill(translatable("This ending is not one of those that can be written:{0}"), {endings});
+      error_ = Phrase(translatable("This ending is not one of those that can be written:{0}"), {endings});
       return;
     }
     if (!overwrite && replaces_something(path)) {
@@ -115,12 +150,12 @@ void FileDialog::submit(bool overwrite) {
       return;
     }
   } else if (!fs::exists(path, error)) {
-    error_ = fill(translatable("There is no file {0}."), {path.string()});
+    error_ = Phrase(translatable("There is no file {0}."), {path.string()});
     return;
   }
   open_ = false;
   chosen_folder_ = folder_;
-  const auto accept = request_.accept;  // which may open the dialog again
+  const auto accept = request_.accept;  // a copy, since it may open the dialog again
   accept(path);
 }
 
@@ -141,7 +176,7 @@ void FileDialog::make_folder(PanelContext& context) {
       !fs::create_directory(path, error)) {
     const std::string why =
         error ? context.tr(error.message()) : std::string(context.tr("it is there already"));
-    error_ = fill(context.tr("The folder {0} cannot be made: {1}."), {path.string(), why});
+    error_ = Phrase(translatable("The folder {0} cannot be made: {1}."), {path.string(), why});
     return;
   }
   new_folder_.reset();
@@ -167,9 +202,9 @@ void FileDialog::draw_places(PanelContext& context, float width, float height) {
     context.editor.show_text(name);
     const std::string label = std::string(symbol) + "  " + name;
     const float room = ImGui::GetContentRegionAvail().x;
-    if (ImGui::Selectable((elided(label, room) + "###" + place.id).c_str(), place.folder == folder_))
+    if (selectable_row(context.marks, "dialog.place." + place.id, elided(label, room),
+                       place.folder == folder_))
       go_to(place.folder);
-    context.marks.item("dialog.place." + place.id);
     if (ImGui::IsItemHovered()) show_tip(place.folder.string());
   }
   ImGui::EndChild();
@@ -179,8 +214,7 @@ void FileDialog::draw_places(PanelContext& context, float width, float height) {
 /// The folders down to this one, each of which can be gone to, and making a new one.
 void FileDialog::draw_path(PanelContext& context) {
   const Metrics& m = context.metrics;
-  if (icon_button(context, icon::up, "up", "Parent folder", false, 26)) go_to(folder_.parent_path());
-  context.marks.item("dialog.up");
+  if (icon_button(context, icon::up, "dialog.up", "Parent folder", false, 26)) go_to(folder_.parent_path());
   const float button = ImGui::CalcTextSize(context.tr("New folder")).x + m.px(24);
   const float end = ImGui::GetWindowContentRegionMax().x - button;
   std::vector<fs::path> folders;
@@ -203,29 +237,24 @@ void FileDialog::draw_path(PanelContext& context) {
     context.editor.show_text(label(folders[i]));
     const std::string shown = elided(label(folders[i]), end - ImGui::GetCursorPosX() - m.px(30));
     ImGui::PushStyleColor(ImGuiCol_Button, 0);
-    if (ImGui::Button((shown + "###crumb" + std::to_string(i)).c_str())) wanted = folders[i];
+    if (text_button(context.marks, "dialog.crumb." + std::to_string(folders.size() - 1 - i), shown))
+      wanted = folders[i];
     ImGui::PopStyleColor();
-    context.marks.item("dialog.crumb." + std::to_string(folders.size() - 1 - i));
   }
   ImGui::SameLine(end);
-  if (ImGui::Button((std::string(context.tr("New folder")) + "###new_folder").c_str(), {button, 0}))
+  if (text_button(context.marks, "dialog.new_folder", context.tr("New folder"), button))
     new_folder_ = new_folder_ ? std::nullopt : std::optional(std::string(context.tr("New folder")));
-  context.marks.item("dialog.new_folder");
   if (!wanted.empty()) go_to(wanted);
   if (!new_folder_) return;
-  ImGui::SetNextItemWidth(-button - ImGui::GetStyle().ItemSpacing.x);
-  const bool entered =
-      ImGui::InputText("##new_folder_name", &*new_folder_,
-                       ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
-  context.marks.item("dialog.new_folder_name");
+  const bool entered = text_field(context.marks, "dialog.new_folder_name", *new_folder_,
+                                  -button - ImGui::GetStyle().ItemSpacing.x, "",
+                                  ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
   ImGui::SameLine();
-  const bool pressed =
-      ImGui::Button((std::string(context.tr("Make")) + "###make_folder").c_str(), {button, 0});
-  context.marks.item("dialog.make_folder");
+  const bool pressed = text_button(context.marks, "dialog.make_folder", context.tr("Make"), button);
   if (entered || pressed) make_folder(context);
 }
 
-/// When saving the format is the ending of the name.
+/// Puts the format into the name: when saving it is the name's ending.
 void FileDialog::choose_format(std::size_t number) {
   const fs::path name = name_;
   const auto found = std::find(request_.extensions.begin(), request_.extensions.end(), lower_ending(name));
@@ -234,20 +263,18 @@ void FileDialog::choose_format(std::size_t number) {
                                                            : name;
   name_ = base.string() + request_.extensions[number];
   ask_overwrite_ = false;
-  error_.clear();
+  error_ = {};
 }
 
-/// When saving, what is written; when opening, which files are shown.
+/// Row of the format: when saving, what is written; when opening, which files are shown.
 void FileDialog::draw_format(PanelContext& context) {
   const auto& endings = request_.extensions;
   const Language& tr = context.tr;
   const fs::path name = name_;
   const auto found = std::find(endings.begin(), endings.end(), lower_ending(name));
   const auto now = std::size_t(found - endings.begin());
-  ImGui::AlignTextToFramePadding();
-  ImGui::TextUnformatted(tr("Format"));
+  aligned_text(tr("Format"));
   ImGui::SameLine(context.metrics.px(label_width));
-  ImGui::SetNextItemWidth(std::min(context.metrics.px(220), ImGui::GetContentRegionAvail().x));
   // A name without an ending gets the first one.
   const std::string saved = now < endings.size()   ? format_text(tr, endings[now])
                             : name.has_extension() ? std::string()
@@ -255,52 +282,42 @@ void FileDialog::draw_format(PanelContext& context) {
   const std::string shown = request_.saving ? saved
                             : only_         ? format_text(tr, endings[*only_])
                                             : std::string(tr("All that can be opened"));
-  const bool open = ImGui::BeginCombo("##format", shown.c_str(), ImGuiComboFlags_HeightLarge);
-  context.marks.item("dialog.format");
-  if (!open) return;
-  if (!request_.saving) {
-    if (ImGui::Selectable(tr("All that can be opened"), !only_)) {
-      only_.reset();
-      go_to(folder_);
-    }
-    context.marks.item("dialog.format.all");
+  const float width = std::min(context.metrics.px(220), ImGui::GetContentRegionAvail().x);
+  const OpenScope list =
+      list_scope(context.marks, "dialog.format", shown, width, ImGuiComboFlags_HeightLarge);
+  if (!list) return;
+  if (!request_.saving &&
+      selectable_row(context.marks, "dialog.format.all", tr("All that can be opened"), !only_)) {
+    only_.reset();
+    go_to(folder_);
   }
   for (std::size_t i = 0; i < endings.size(); ++i) {
-    if (ImGui::Selectable(format_text(tr, endings[i]).c_str(), request_.saving ? i == now : only_ == i)) {
-      if (request_.saving) {
-        choose_format(i);
-      } else {
-        only_ = i;
-        go_to(folder_);
-      }
+    if (!selectable_row(context.marks, "dialog.format" + endings[i], format_text(tr, endings[i]),
+                        request_.saving ? i == now : only_ == i))
+      continue;
+    if (request_.saving) {
+      choose_format(i);
+    } else {
+      only_ = i;
+      go_to(folder_);
     }
-    context.marks.item("dialog.format" + endings[i]);
   }
-  ImGui::EndCombo();
 }
 
 void FileDialog::draw_name(PanelContext& context) {
   if (appearing_ || std::exchange(focus_name_, false)) ImGui::SetKeyboardFocusHere();
-  ImGui::SetNextItemWidth(-1);
   // Up and down go through the list.
-  const auto arrows = [](ImGuiInputTextCallbackData* data) {
-    FileDialog& dialog = *static_cast<FileDialog*>(data->UserData);
-    dialog.step(data->EventKey == ImGuiKey_UpArrow ? -1 : 1);
-    data->DeleteChars(0, data->BufTextLen);
-    data->InsertChars(0, dialog.name_.c_str());
-    data->SelectAll();
-    return 0;
+  const auto neighbour = [this](const std::string&, int direction) {
+    step(-direction);
+    return name_;
   };
   std::string text = name_;
-  const bool entered = ImGui::InputTextWithHint(
-      "##name", context.tr(request_.saving ? translatable("File name") : translatable("File name or path")),
-      &text,
-      ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll |
-          ImGuiInputTextFlags_CallbackHistory,
-      arrows, this);
+  const bool entered =
+      text_field(context.marks, "dialog.name", text, -1,
+                 context.tr(request_.saving ? translatable("File name") : translatable("File name or path")),
+                 ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll, neighbour);
   if (ImGui::IsItemEdited()) ask_overwrite_ = false;
   name_ = text;
-  context.marks.item("dialog.name");
   if (entered) {
     submit(ask_overwrite_);
     focus_name_ = open_;  // Enter took the keyboard away
@@ -314,7 +331,7 @@ bool FileDialog::has_settings() const {
 void FileDialog::draw_settings(PanelContext& context) {
   const float top = ImGui::GetCursorPosY();
   if (request_.extensions.size() > 1) draw_format(context);
-  if (request_.options) request_.options(name_);
+  if (request_.options) request_.options(context, name_);
   settings_height_ = ImGui::GetCursorPosY() - top;
 }
 
@@ -340,30 +357,24 @@ void FileDialog::draw_footer(PanelContext& context, bool folded) {
   draw_name(context);
   if (!open_) return;
   if (ask_overwrite_) {
-    const TextColour colour(palette().warning);
-    ImGui::TextUnformatted(
-        (icon::warning + ("  " + fill(context.tr("{0} exists already."), {replaced_}))).c_str());
+    coloured_text(palette().warning,
+                  (icon::warning + ("  " + fill(context.tr("{0} exists already."), {replaced_}))).c_str());
   } else if (!error_.empty()) {
-    const TextColour colour(palette().error);
-    ImGui::TextUnformatted(context.tr.phrase(error_).c_str());
+    coloured_text(palette().error, context.tr(error_).c_str());
   }
   if (folded) {
-    if (icon_button(context, icon::settings, "settings", translatable("Format and settings"), settings_shown_,
-                    26))
+    if (icon_button(context, icon::settings, "dialog.settings", translatable("Format and settings"),
+                    settings_shown_, 26))
       settings_shown_ = !settings_shown_;
-    context.marks.item("dialog.settings");
     ImGui::SameLine();
   }
   const float button = m.px(110);
   ImGui::SetCursorPosX(ImGui::GetWindowContentRegionMax().x - 2 * button - ImGui::GetStyle().ItemSpacing.x);
-  if (ImGui::Button(context.tr("Cancel"), {button, 0})) {
-    open_ = false;
-  }
-  context.marks.item("dialog.cancel");
+  if (text_button(context.marks, "dialog.cancel", context.tr("Cancel"), button)) open_ = false;
   ImGui::SameLine();
   const bool pressed =
-      main_button(ask_overwrite_ ? context.tr("Replace") : context.tr(request_.action).c_str(), {button, 0});
-  context.marks.item("dialog.accept");
+      main_button(context.marks, "dialog.accept",
+                  ask_overwrite_ ? context.tr("Replace") : context.tr(request_.action), button);
   footer_height_ = ImGui::GetCursorPosY() - top;
   if (open_ && pressed) submit(ask_overwrite_);
 }
@@ -376,10 +387,9 @@ void FileDialog::draw(PanelContext& context) {
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
   const float margin = std::min(m.px(40), screen.y / 20);
   ImGui::SetNextWindowSize({std::min(m.px(860), screen.x - margin), std::min(m.px(560), screen.y - margin)});
-  ImGui::SetNextWindowPos({screen.x / 2, screen.y / 2}, ImGuiCond_Always, {0.5F, 0.5F});
-  if (!ImGui::BeginPopupModal(
-          id.c_str(), nullptr,
-          ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings)) {
+  const OpenScope dialog = dialog_scope(
+      id, ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings);
+  if (!dialog) {
     if (!appearing_) open_ = false;
     appearing_ = false;
     return;
@@ -405,7 +415,6 @@ void FileDialog::draw(PanelContext& context) {
   if (open_) draw_footer(context, room.folded);
   appearing_ = false;
   if (!open_) ImGui::CloseCurrentPopup();
-  ImGui::EndPopup();
 }
 
 }  // namespace hariko

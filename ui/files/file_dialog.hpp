@@ -24,8 +24,8 @@ class FileDialog {
     std::filesystem::path proposal;  ///< file or folder to begin with
     std::function<void(const std::filesystem::path&)> accept;
     /// Draws further settings above the buttons, for a file of the name typed so far.
-    std::function<void(const std::filesystem::path&)> options = {};
-    /// When saving, a file that accepting this name would replace; without it the file of that name itself.
+    std::function<void(PanelContext&, const std::filesystem::path&)> options = {};
+    /// File that accepting this name would replace when saving; without it the file of that name itself.
     std::function<std::optional<std::filesystem::path>(const std::filesystem::path&)> replaces = {};
   };
 
@@ -68,7 +68,7 @@ class FileDialog {
   Request request_;
   bool open_ = false, appearing_ = false, ask_overwrite_ = false;
   bool focus_name_ = false;          ///< the name gets the keyboard back
-  std::optional<std::size_t> only_;  ///< when opening: the one extension whose files are shown
+  std::optional<std::size_t> only_;  ///< the one extension whose files are shown when opening
   FolderOrder order_ = FolderOrder::name;
   bool descending_ = false;
   std::optional<std::string> new_folder_;         ///< its name while it is typed
@@ -77,9 +77,10 @@ class FileDialog {
   std::optional<std::size_t> at_;  ///< the entry that the arrow keys are at
   bool scroll_ = false;
   std::vector<Place> places_;
-  std::string name_, error_;
-  float footer_height_ = 0, settings_height_ = 0;  ///< when they were drawn last; 0 before
-  bool settings_shown_ = false;                    ///< where they are folded
+  std::string name_;
+  Phrase error_;  ///< reason why what is named cannot be opened or written; empty while nothing is wrong
+  float footer_height_ = 0, settings_height_ = 0;  ///< heights when they were drawn last; 0 before
+  bool settings_shown_ = false;                    ///< the designer opened the settings where they are folded
   std::string replaced_;                           ///< file that the question about replacing names
 };
 

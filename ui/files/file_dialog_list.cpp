@@ -8,6 +8,8 @@
 #include "ui/base/text_lines.hpp"
 #include "ui/files/export_text.hpp"
 #include "ui/files/file_dialog.hpp"
+#include "ui/widgets/items.hpp"
+#include "ui/widgets/lists.hpp"
 #include "ui/widgets/overlay_window.hpp"
 
 namespace hariko {
@@ -30,15 +32,14 @@ void FileDialog::draw_header(PanelContext& context, const Columns& places) {
     const bool on = order_ == order;
     const TextColour colour(on ? palette().text : palette().dim_text);
     const std::string label = std::string(context.tr(name)) + (on ? descending_ ? " \u2193" : " \u2191" : "");
-    if (ImGui::Selectable((label + "###" + mark).c_str(), false, 0,
-                          {ImGui::CalcTextSize(label.c_str()).x, 0})) {
+    if (selectable_row(context.marks, std::string("dialog.sort.") + mark, label, false,
+                       {ImGui::CalcTextSize(label.c_str()).x, 0})) {
       // Largest and latest first: what one looks for.
       descending_ = on ? !descending_ : order != FolderOrder::name;
       order_ = order;
       sort_entries(entries_, order_, descending_);
       at_.reset();
     }
-    context.marks.item(std::string("dialog.sort.") + mark);
   };
   ImGui::NewLine();
   column("Name", "name", FolderOrder::name, context.metrics.px(46));
@@ -51,8 +52,9 @@ void FileDialog::draw_entry(PanelContext& context, std::size_t number, const Col
   const Metrics& m = context.metrics;
   context.editor.show_text(entry.name);
   ImGui::PushID(static_cast<int>(number));
-  if (ImGui::Selectable("##entry", (!entry.folder && entry.name == name_) || at_ == number,
-                        ImGuiSelectableFlags_AllowDoubleClick)) {
+  if (selectable_row(context.marks, "entry." + entry.name, "",
+                     (!entry.folder && entry.name == name_) || at_ == number, {0, 0},
+                     ImGuiSelectableFlags_AllowDoubleClick)) {
     focus_name_ = true;
     at_ = number;
     const bool twice = ImGui::IsMouseDoubleClicked(0);
@@ -65,22 +67,19 @@ void FileDialog::draw_entry(PanelContext& context, std::size_t number, const Col
   }
   const bool shown = number < entries_.size() && &entries_[number] == &entry;
   if (shown && open_) {
-    context.marks.item("entry." + entry.name);
     if (at_ == number && std::exchange(scroll_, false)) ImGui::SetScrollHereY();
     ImGui::SameLine(m.px(10));
-    {
-      const TextColour colour(entry.folder ? palette().secondary : palette().dim_text);
-      ImGui::TextUnformatted(entry.folder ? icon::folder : icon::file);
-    }
+    coloured_text(entry.folder ? palette().secondary : palette().dim_text,
+                  entry.folder ? icon::folder : icon::file);
     ImGui::SameLine(m.px(34));
-    ImGui::TextUnformatted(elided(entry.name, places.name_end - m.px(42)).c_str());
+    plain_text(elided(entry.name, places.name_end - m.px(42)));
     if (!entry.folder && places.size_at > 0) {
       ImGui::SameLine(places.size_at);
-      ImGui::TextDisabled("%s", file_size_text(entry.size).c_str());
+      dim_text(file_size_text(entry.size));
     }
     if (entry.modified != 0 && places.date_at > 0) {
       ImGui::SameLine(places.date_at);
-      ImGui::TextDisabled("%s", local_time_text(entry.modified).c_str());
+      dim_text(local_time_text(entry.modified));
     }
   }
   ImGui::PopID();
@@ -116,8 +115,8 @@ void FileDialog::draw_list(PanelContext& context, const Fit& room) {
       draw_entry(context, static_cast<std::size_t>(i), places);
   if (entries_.empty()) {
     ImGui::SetCursorPos({m.px(10), m.px(8)});
-    ImGui::TextDisabled("%s", request_.saving ? context.tr("No files of this kind here yet.")
-                                              : context.tr("Nothing here that can be opened."));
+    dim_text(request_.saving ? context.tr("No files of this kind here yet.")
+                             : context.tr("Nothing here that can be opened."));
   }
   ImGui::EndChild();
   ImGui::PopStyleColor();

@@ -1,5 +1,8 @@
 #include "ui/files/file_dialogs.hpp"
 
+#include <imgui.h>
+
+#include <array>
 #include <utility>
 
 #include "core/base/files/file_ending.hpp"
@@ -7,10 +10,37 @@
 #include "core/cad/kernel/cad_file.hpp"
 #include "render/reference_image.hpp"
 #include "ui/files/key_file.hpp"
-#include "ui/files/mesh_options.hpp"
 #include "ui/view/viewport.hpp"
+#include "ui/widgets/number_slider.hpp"
+#include "ui/widgets/option_fields.hpp"
 
 namespace hariko {
+
+namespace {
+
+/// Options of meshes that are read: what they become. Marks: "import.use", "import.use.<number>",
+/// "import.creases", "import.crease_angle".
+void draw_mesh_options(PanelContext& context, const std::filesystem::path&) {
+  const Language& tr = context.tr;
+  MeshImport& choice = context.editor.mesh_import;
+  option_label(context, "Meshes");
+  const std::array<std::string, 3> uses{tr("Cage, asked about above 5,000 faces"), tr("Cage"),
+                                        tr("Reference facets")};
+  if (const auto chosen =
+          option_list(context, "import.use", 300, uses, static_cast<std::size_t>(choice.use), {},
+                      "A cage gets a surface. Reference facets are to be traced and measured."))
+    choice.use = static_cast<MeshUse>(*chosen);
+  option_label(context, "");
+  option_check(context, "import.creases", "Crease edges above",
+               "Edges where faces meet at more than this angle become sharp edges of the surface.",
+               choice.creases);
+  ImGui::SameLine();
+  number_input(context.marks, "import.crease_angle", context.metrics.px(70), {0, 180, "%.4g\u00b0"},
+               choice.crease_degrees);
+  if (ImGui::IsItemDeactivatedAfterEdit()) choice.creases = true;
+}
+
+}  // namespace
 
 std::vector<std::string> importable_endings(bool cad) {
   std::vector<std::string> out{".obj", ".off", ".ply", ".stl", ".glb", ".gltf", ".3mf", ".bpt", ".json"};
@@ -24,9 +54,8 @@ std::vector<std::string> openable_endings(bool cad) {
   return out;
 }
 
-FileDialogs::FileDialogs(Editor& editor, const Viewport& viewport, Marks& marks, const Metrics& metrics,
-                         ApplicationServices& application)
-    : editor_(editor), viewport_(viewport), marks_(marks), metrics_(metrics), application_(application) {}
+FileDialogs::FileDialogs(Editor& editor, const Viewport& viewport, ApplicationServices& application)
+    : editor_(editor), viewport_(viewport), application_(application) {}
 
 void FileDialogs::draw(PanelContext& context) {
   dialog_.draw(context);
@@ -94,48 +123,49 @@ void FileDialogs::save_copy() {
                 [this](const auto& path) { application_.save_copy(path); }});
 }
 
+void FileDialogs::save(const std::string& kind, std::string title, const char* action,
+                       std::vector<std::string> endings, std::filesystem::path proposal, TakePath accept,
+                       DrawOptions options) {
+  show(kind, {std::move(title), action, true, std::move(endings), std::move(proposal), std::move(accept),
+              std::move(options)});
+}
+
+void FileDialogs::choose(const std::string& kind, std::string title, const char* action,
+                         std::vector<std::string> endings, TakePath accept, DrawOptions options) {
+  show(kind, {std::move(title), action, false, std::move(endings), folder_proposal(), std::move(accept),
+              std::move(options)});
+}
+
 void FileDialogs::export_triangles() {
   const std::filesystem::path proposal = export_proposal(".obj");
-  show("triangles", {translatable("Export the surfaces as triangles"),
-                     translatable("Export"),
-                     true,
-                     {".obj", ".stl", ".3mf", ".ply", ".glb", ".gltf", ".off"},
-                     proposal,
-                     [this](const auto& path) { application_.export_file(path, export_options_.settings()); },
-                     [this](const std::filesystem::path& name) {
-                       if (export_options_.draw(editor_, marks_, metrics_, name))
-                         application_.count_export(name, export_options_.settings());
-                     }});
+  save(
+      "triangles", translatable("Export the surfaces as triangles"), translatable("Export"),
+      {".obj", ".stl", ".3mf", ".ply", ".glb", ".gltf", ".off"}, proposal,
+      [this](const auto& path) { application_.export_file(path, export_options_.settings()); },
+      [this](PanelContext& context, const std::filesystem::path& name) {
+        if (export_options_.draw(context, name)) application_.count_export(name, export_options_.settings());
+      });
   export_options_.begin(editor_, proposal);
   application_.count_export(proposal, export_options_.settings());
   counting_ = true;
 }
 
 void FileDialogs::export_cad() {
-  const std::filesystem::path proposal = export_proposal(".step");
-  show("cad", {translatable("Export the surfaces for CAD"),
-               translatable("Export"),
-               true,
-               {".step", ".stp", ".iges", ".igs"},
-               proposal,
-               [this](const auto& path) { application_.export_cad(path, cad_options_.settings()); },
-               [this](const std::filesystem::path& name) {
-                 if (cad_options_.draw(editor_, marks_, metrics_, name))
-                   application_.count_cad(cad_options_.settings());
-               }});
+  save(
+      "cad", translatable("Export the surfaces for CAD"), translatable("Export"),
+      {".step", ".stp", ".iges", ".igs"}, export_proposal(".step"),
+      [this](const auto& path) { application_.export_cad(path, cad_options_.settings()); },
+      [this](PanelContext& context, const std::filesystem::path& name) {
+        if (cad_options_.draw(context, name)) application_.count_cad(cad_options_.settings());
+      });
   cad_options_.begin(editor_);
   application_.count_cad(cad_options_.settings());
   counting_ = true;
 }
 
 void FileDialogs::export_control() {
-  const std::filesystem::path proposal = export_proposal(" control.obj");
-  show("control", {translatable("Export the control meshes of skins"),
-                   translatable("Export"),
-                   true,
-                   {".obj"},
-                   proposal,
-                   [this](const auto& path) { application_.export_control(path); }});
+  save("control", translatable("Export the control meshes of skins"), translatable("Export"), {".obj"},
+       export_proposal(" control.obj"), [this](const auto& path) { application_.export_control(path); });
 }
 
 void FileDialogs::write_picture(const std::filesystem::path& path, bool turntable) {
@@ -152,8 +182,6 @@ void FileDialogs::write_picture(const std::filesystem::path& path, bool turntabl
 }
 
 void FileDialogs::picture(bool turntable) {
-  std::filesystem::path proposal = name_proposal();
-  proposal.replace_extension(turntable ? ".png" : picture_ending_);
   FileDialog::Request request;
   request.title =
       turntable ? translatable("Export a turntable as pictures") : translatable("Export a picture");
@@ -161,11 +189,11 @@ void FileDialogs::picture(bool turntable) {
   request.saving = true;
   request.extensions = {".png"};
   if (!turntable) request.extensions.push_back(".svg");
-  request.proposal = proposal;
+  request.proposal = name_proposal(turntable ? ".png" : picture_ending_.c_str());
   request.accept = [this, turntable](const auto& path) { write_picture(path, turntable); };
-  request.options = [this, turntable](const std::filesystem::path& name) {
-    if (!turntable && lower_ending(name) == ".svg") return drawing_options_.draw(editor_, marks_, metrics_);
-    draw_picture_options(editor_, marks_, metrics_, picture_settings_, turntable);
+  request.options = [this, turntable](PanelContext& context, const std::filesystem::path& name) {
+    if (!turntable && lower_ending(name) == ".svg") return drawing_options_.draw(context);
+    draw_picture_options(context, picture_settings_, turntable);
   };
   if (turntable)
     request.replaces = [this](const std::filesystem::path& path) -> std::optional<std::filesystem::path> {
@@ -179,154 +207,111 @@ void FileDialogs::picture(bool turntable) {
 
 void FileDialogs::open(std::function<void(const std::filesystem::path&)> accept) {
   dialog_.open({translatable("Open"), translatable("Open"), false, openable_endings(!why_no_cad_files()),
-                folder_proposal(), std::move(accept),
-                [this](const auto&) { draw_mesh_options(editor_, marks_, metrics_); }});
+                folder_proposal(), std::move(accept), draw_mesh_options});
 }
 
 void FileDialogs::import() {
-  show("import",
-       {translatable("Import"), translatable("Import"), false, importable_endings(!why_no_cad_files()),
-        folder_proposal(), [this](const auto& path) { application_.import_file(path); },
-        [this](const auto&) { draw_mesh_options(editor_, marks_, metrics_); }});
+  choose(
+      "import", translatable("Import"), translatable("Import"), importable_endings(!why_no_cad_files()),
+      [this](const auto& path) { application_.import_file(path); }, draw_mesh_options);
 }
 
-namespace {
-
-FileDialog::Request picture_request(std::string title, std::filesystem::path folder,
-                                    std::function<void(const std::filesystem::path&)> accept) {
+void FileDialogs::choose_picture(std::string title, TakePath accept) {
   const auto endings = reference_endings();
-  return {std::move(title),  translatable("Choose"), false, {endings.begin(), endings.end()},
-          std::move(folder), std::move(accept)};
+  choose("reference", std::move(title), translatable("Choose"), {endings.begin(), endings.end()},
+         std::move(accept));
 }
-
-}  // namespace
 
 void FileDialogs::add_picture() {
-  show("reference", picture_request(translatable("Add reference picture"), folder_proposal(),
-                                    [this](const auto& path) { application_.add_pictures({path}); }));
+  choose_picture(translatable("Add reference picture"),
+                 [this](const auto& path) { application_.add_pictures({path}); });
 }
 
 void FileDialogs::replace_picture(ObjectId picture) {
-  show("reference",
-       picture_request(translatable("Choose another picture"), folder_proposal(),
-                       [this, picture](const auto& path) { application_.replace_picture(picture, path); }));
+  choose_picture(translatable("Choose another picture"),
+                 [this, picture](const auto& path) { application_.replace_picture(picture, path); });
 }
 
 void FileDialogs::find_pictures(const std::string& name) {
   editor_.show_text(name);
-  show("reference", picture_request(fill(editor_.language("Where is {0}?"), {name}), folder_proposal(),
-                                    [this](const auto& path) { application_.find_pictures(path); }));
+  choose_picture(fill(editor_.language("Where is {0}?"), {name}),
+                 [this](const auto& path) { application_.find_pictures(path); });
 }
 
 void FileDialogs::unpack_picture(ObjectId picture) {
   const Object* object = editor_.document().find(picture);
   if (!object || !object->picture()) return;
   const std::filesystem::path name(object->picture()->path);
-  show("reference", {translatable("Save the picture as a file"),
-                     translatable("Save"),
-                     true,
-                     {is_reference_file(name) ? lower_ending(name) : std::string(".png")},
-                     folder_proposal() / name.filename(),
-                     [this, picture](const auto& path) { application_.unpack_picture(picture, path); }});
+  save("reference", translatable("Save the picture as a file"), translatable("Save"),
+       {is_reference_file(name) ? lower_ending(name) : std::string(".png")},
+       folder_proposal() / name.filename(),
+       [this, picture](const auto& path) { application_.unpack_picture(picture, path); });
 }
 
 void FileDialogs::choose_environment() {
   const auto endings = environment_endings();
-  show("environment", {translatable("Choose an environment"),
-                       translatable("Choose"),
-                       false,
-                       {endings.begin(), endings.end()},
-                       folder_proposal(),
-                       [this](const auto& path) {
-                         std::error_code unknown;
-                         const auto whole = std::filesystem::absolute(path, unknown);
-                         editor_.settings.environment.file = (unknown ? path : whole).string();
-                         editor_.show_environment(EnvironmentKind::file);
-                       }});
+  choose("environment", translatable("Choose an environment"), translatable("Choose"),
+         {endings.begin(), endings.end()}, [this](const auto& path) {
+           std::error_code unknown;
+           const auto whole = std::filesystem::absolute(path, unknown);
+           editor_.settings.environment.file = (unknown ? path : whole).string();
+           editor_.show_environment(EnvironmentKind::file);
+         });
 }
 
 void FileDialogs::export_keys() {
-  show("keys", {translatable("Export keys"),
-                translatable("Export"),
-                true,
-                {".json"},
-                folder_proposal() / "hariko-keys.json",
-                [this](const auto& path) {
-                  const auto done = write_file_atomic(path, write_key_file(editor_.settings.keys));
-                  if (!done.ok()) return editor_.notify(done.error());
-                  editor_.notify(Notice::Kind::info,
-                                 fill(editor_.language("Exported {0}."), {path.filename().string()}));
-                }});
+  save("keys", translatable("Export keys"), translatable("Export"), {".json"},
+       folder_proposal() / "hariko-keys.json", [this](const auto& path) {
+         const auto done = write_file_atomic(path, write_key_file(editor_.settings.keys));
+         if (!done.ok()) return editor_.notify(done.error());
+         editor_.inform({"Exported {0}.", {path.filename().string()}});
+       });
 }
 
 void FileDialogs::import_keys() {
-  show("keys", {translatable("Import keys"),
-                translatable("Import"),
-                false,
-                {".json"},
-                folder_proposal(),
-                [this](const auto& path) {
-                  constexpr std::size_t largest = 1 << 20;  // bytes; a file of keys has some kilobytes
-                  const auto text = read_file(path, largest);
-                  if (!text) return editor_.notify(text.error());
-                  const auto keys = read_key_file(*text);
-                  if (!keys) return editor_.notify(keys.error());
-                  editor_.settings.keys = *keys;
-                  editor_.notify(Notice::Kind::info, fill(editor_.language("The keys of {0} are in use."),
-                                                          {path.filename().string()}));
-                }});
+  choose("keys", translatable("Import keys"), translatable("Import"), {".json"}, [this](const auto& path) {
+    constexpr std::size_t largest = 1 << 20;  // bytes; a file of keys has some kilobytes
+    const auto text = read_file(path, largest);
+    if (!text) return editor_.notify(text.error());
+    const auto keys = read_key_file(*text);
+    if (!keys) return editor_.notify(keys.error());
+    editor_.settings.keys = *keys;
+    editor_.inform({"The keys of {0} are in use.", {path.filename().string()}});
+  });
 }
 
 void FileDialogs::export_pages() {
-  std::filesystem::path proposal = name_proposal();
-  proposal.replace_extension(".pdf");
-  show("pages", {translatable("Export the pages of the paper model"),
-                 translatable("Export"),
-                 true,
-                 {".pdf", ".svg", ".dxf", ".png"},
-                 proposal,
-                 [this](const auto& path) { application_.export_pages(path); }});
+  save("pages", translatable("Export the pages of the paper model"), translatable("Export"),
+       {".pdf", ".svg", ".dxf", ".png"}, name_proposal(".pdf"),
+       [this](const auto& path) { application_.export_pages(path); });
 }
 
 void FileDialogs::export_sections() {
-  const std::filesystem::path proposal = export_proposal(" sections.svg");
-  show("sections", {translatable("Export the section curves"),
-                    translatable("Export"),
-                    true,
-                    {".svg", ".dxf"},
-                    proposal,
-                    [this](const auto& path) {
-                      auto order = order_sections(editor_, path);
-                      if (!order) return editor_.notify(order.error());
-                      application_.export_sections(std::move(order).value());
-                    }});
+  save("sections", translatable("Export the section curves"), translatable("Export"), {".svg", ".dxf"},
+       export_proposal(" sections.svg"), [this](const auto& path) {
+         auto order = order_sections(editor_, path);
+         if (!order) return editor_.notify(order.error());
+         application_.export_sections(std::move(order).value());
+       });
 }
 
 void FileDialogs::record() {
-  std::filesystem::path proposal = name_proposal();
-  proposal.replace_extension(".jsonl");
-  show("replay", {translatable("Record a replay"),
-                  translatable("Record"),
-                  true,
-                  {".jsonl"},
-                  proposal,
-                  [this](const auto& path) { application_.record(path); }});
+  save("replay", translatable("Record a replay"), translatable("Record"), {".jsonl"}, name_proposal(".jsonl"),
+       [this](const auto& path) { application_.record(path); });
 }
 
 void FileDialogs::record_script() {
-  std::filesystem::path proposal = name_proposal();
-  proposal.replace_extension(".json");
-  show("script", {translatable("Record a script"),
-                  translatable("Record"),
-                  true,
-                  {".json"},
-                  proposal,
-                  [this](const auto& path) { application_.record_script(path); }});
+  save("script", translatable("Record a script"), translatable("Record"), {".json"}, name_proposal(".json"),
+       [this](const auto& path) { application_.record_script(path); });
 }
 
 std::filesystem::path FileDialogs::name_proposal() const {
   if (editor_.path) return *editor_.path;
   return editor_.title() + ".hariko";
+}
+
+std::filesystem::path FileDialogs::name_proposal(const char* ending) const {
+  return name_proposal().replace_extension(ending);
 }
 
 std::filesystem::path FileDialogs::export_proposal(const char* ending) const {

@@ -28,8 +28,7 @@ std::vector<std::string> openable_endings(bool cad);
 class FileDialogs {
  public:
   /// All are borrowed.
-  FileDialogs(Editor& editor, const Viewport& viewport, Marks& marks, const Metrics& metrics,
-              ApplicationServices& application);
+  FileDialogs(Editor& editor, const Viewport& viewport, ApplicationServices& application);
 
   /// Any kind of file.
   void open(std::function<void(const std::filesystem::path&)> accept);
@@ -49,7 +48,7 @@ class FileDialogs {
   void export_cad();
   /// For the control meshes of skins.
   void export_control();
-  /// Of the active view: one picture or line drawing, or a series that turns round the model.
+  /// Exports the active view: one picture or line drawing, or a series that turns round the model.
   void picture(bool turntable);
   /// For the pages of the paper model.
   void export_pages();
@@ -71,7 +70,7 @@ class FileDialogs {
     cad_options_.take(settings, count);
   }
 
-  /// What was chosen in the dialogs that export, and what they begin with.
+  /// Choices in the dialogs that export, as made last, which they begin with.
   ExportMemory remembered() const;
   void remember(ExportMemory memory);
   void forget_choices();
@@ -80,15 +79,23 @@ class FileDialogs {
   /// Opens the dialog in the folder that files of this kind were taken from or written to last, where it is
   /// still there.
   void show(const std::string& kind, FileDialog::Request request);
+  using TakePath = std::function<void(const std::filesystem::path&)>;
+  using DrawOptions = decltype(FileDialog::Request::options);
+  /// The same for a file that is written. `action`: on the button; `options`: as those of a request.
+  void save(const std::string& kind, std::string title, const char* action, std::vector<std::string> endings,
+            std::filesystem::path proposal, TakePath accept, DrawOptions options = {});
+  /// The same for a file that is read.
+  void choose(const std::string& kind, std::string title, const char* action,
+              std::vector<std::string> endings, TakePath accept, DrawOptions options = {});
+  void choose_picture(std::string title, TakePath accept);
   void write_picture(const std::filesystem::path& path, bool turntable);
   std::filesystem::path export_proposal(const char* ending) const;
   std::filesystem::path folder_proposal() const;
   std::filesystem::path name_proposal() const;
+  std::filesystem::path name_proposal(const char* ending) const;
 
   Editor& editor_;
   const Viewport& viewport_;
-  Marks& marks_;
-  const Metrics& metrics_;
   ApplicationServices& application_;
   FileDialog dialog_;
   bool counting_ = false;  ///< something may be counted for the dialog

@@ -46,10 +46,12 @@ Result<KeyOverrides> read_key_file(std::string_view text) {
 }
 
 void take_present_ids(KeyOverrides& keys) {
-  constexpr std::array<std::pair<const char*, const char*>, 3> changed{{
+  constexpr std::array<std::pair<const char*, const char*>, 5> changed{{
       {"property.preferences.turning", "property.preferences.trackball"},
       {"property.preferences.autosave", "property.preferences.autosave_seconds"},
       {"property.preferences.colours", "property.preferences.colour_blind_maps"},
+      {"help.english", "language.english"},
+      {"help.japanese", "language.japanese"},
   }};
   for (const auto& [before, now] : changed)
     if (auto node = keys.extract(before)) {

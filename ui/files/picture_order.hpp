@@ -1,7 +1,7 @@
 #pragma once
 
-// PictureOrder: pictures of the active view to be drawn and written as files, as a value that needs no
-// window.
+// PictureOrder and DrawingOrder: pictures, or a line drawing, of the active view to be made and written as
+// files, as values that need no window.
 
 #include <filesystem>
 #include <optional>
@@ -9,6 +9,7 @@
 
 #include "core/base/result.hpp"
 #include "core/base/text/enum_words.hpp"
+#include "core/drawing/line_drawing.hpp"
 #include "render/legend.hpp"
 #include "render/scene.hpp"
 #include "ui/editor/editor.hpp"
@@ -24,9 +25,9 @@ struct PictureSettings {
   Size size = Size::view;
   PixelSize custom{1920, 1080};
   bool transparent = false;
-  bool grid = true;        ///< where the view has one
+  bool grid = true;        ///< the view's grid, if it has one
   bool selection = false;  ///< marks of what is selected
-  bool legend = true;      ///< where a map shows
+  bool legend = true;      ///< the legend, if a map shows
   int turntable_pictures = 72;
   bool fit = true;  ///< the turntable's camera moves so that every picture shows the whole model
 
@@ -51,7 +52,7 @@ struct PictureOrder {
   std::optional<Legend> legend;
 };
 
-/// What the active view shows. Lines are as wide as in the view in relation to the whole. Errors:
+/// Order of a picture of the active view. Lines are as wide as in the view in relation to the whole. Errors:
 /// E_NOTHING_TO_SHOW, E_PICTURE_SIZE, E_SURFACE_PENDING while a surface is being computed.
 Result<PictureOrder> order_picture(const Editor& editor, const SceneBuilder& scene,
                                    const PictureSettings& settings, const std::filesystem::path& file);
@@ -62,5 +63,31 @@ Result<PictureOrder> order_turntable(const Editor& editor, const SceneBuilder& s
 
 /// "name_0001.png" to "name_<count>.png" beside `file`, "name.png".
 std::vector<std::filesystem::path> series_files(const std::filesystem::path& file, int count);
+
+inline constexpr Code e_drawing_of_paper{"E_DRAWING_OF_PAPER"};
+
+struct DrawingSettings {
+  double width = 180;   ///< width of the page, mm; its height follows from the view's shape
+  bool network = true;  ///< curves of the network; all other kinds of lines are always drawn
+  bool hidden = false;  ///< hidden lines as well
+
+  friend bool operator==(const DrawingSettings&, const DrawingSettings&) = default;
+};
+
+struct DrawingOrder {
+  std::vector<DrawnSurface> surfaces;
+  DrawingView view;  ///< in pixels of 1/96 inch
+  LineDrawingSettings lines;
+  std::filesystem::path file;  ///< SVG, in millimetres
+};
+
+/// Width and height, mm.
+Vector2 page_of(const DrawingSettings& settings, PixelSize view);
+
+/// The surfaces that the active view shows, seen as it shows them, without grid, polyhedra and marks. Errors:
+/// E_NOTHING_TO_SHOW, E_SURFACE_PENDING while a surface is being computed, E_DRAWING_OF_PAPER while the view
+/// shows paper.
+Result<DrawingOrder> order_drawing(const Editor& editor, const SceneBuilder& scene,
+                                   const DrawingSettings& settings, const std::filesystem::path& file);
 
 }  // namespace hariko

@@ -3,7 +3,9 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
+#include "ui/base/quantity.hpp"
 #include "ui/view/overlay_drawing.hpp"
 
 namespace hariko {
@@ -14,7 +16,7 @@ namespace {
 constexpr double label_beside_line = 16, label_beside_arc = 24, arrow_head_length = 9, least_for_arrows = 34;
 constexpr double radius_label_right = 34, radius_label_up = 28;
 constexpr double label_margin_x = 6, label_margin_y = 2;
-constexpr double arc_share = 0.4;  ///< of the shorter arm: radius of an angle's arc
+constexpr double arc_share = 0.4;  ///< share of the shorter arm: radius of an angle's arc
 constexpr int arc_parts = 24;
 
 /// Adds lines between world points to a shape.
@@ -186,6 +188,51 @@ void draw_dimension_label(const ToolOverlay& overlay, const DimensionShape& shap
   if (look != DimensionLook::plain) overlay.list.AddRect(low, high, colour, m.px(4), 0, m.px(1));
   overlay.list.AddText({low.x + m.px(float(label_margin_x)), low.y + m.px(float(label_margin_y))}, colour,
                        text.c_str());
+}
+
+namespace {
+
+double degrees_of(double radians) {
+  return radians * 180 / std::numbers::pi;
+}
+
+std::string radii_text(const MeasuredDimension& value, Unit unit, const Language& language) {
+  constexpr double alike = 1e-4;
+  const double a = value.first_radius, b = value.second_radius;
+  if (std::isinf(a)) return language("flat");
+  const Quantity length = measured_length(unit, a);
+  if (std::isinf(b)) return "R " + format_quantity(length, a) + " / " + language("flat");
+  if (std::abs(a - b) <= alike * std::abs(a)) return "R " + format_quantity(length, a);
+  Quantity number = length;
+  number.unit.clear();
+  return "R " + format_quantity(number, a) + " / " + format_quantity(measured_length(unit, b), b);
+}
+
+}  // namespace
+
+std::string dimension_text(DimensionKind kind, const MeasuredDimension& value, Unit unit,
+                           const Language& language) {
+  switch (kind) {
+    case DimensionKind::distance:
+      return format_quantity(measured_length(unit, value.value), value.value);
+    case DimensionKind::angle: {
+      Quantity angle = angle_quantity();
+      angle.decimals = 2;
+      return format_quantity(angle, degrees_of(value.value));
+    }
+    case DimensionKind::radius:
+      break;
+  }
+  return radii_text(value, unit, language);
+}
+
+std::string exact_dimension_text(DimensionKind kind, const MeasuredDimension& value, Unit unit) {
+  if (kind == DimensionKind::angle) return exact_text(angle_quantity(), degrees_of(value.value));
+  return exact_text(measured_length(unit, value.value), value.value);
+}
+
+const char* dimension_name(DimensionKind kind) {
+  return name_among(kind, {"Distance", "Angle", "Radius"});
 }
 
 }  // namespace hariko

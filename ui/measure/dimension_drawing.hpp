@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/modeling/measuring/measured_dimension.hpp"
+#include "ui/base/language.hpp"
 #include "ui/view/tool.hpp"
 
 namespace hariko {
@@ -14,7 +15,7 @@ namespace hariko {
 /// A dimension on the screen; positions are framebuffer pixels.
 struct DimensionShape {
   using Line = std::pair<Vector2, Vector2>;
-  std::vector<Line> lines;          ///< of the value itself
+  std::vector<Line> lines;          ///< lines of the value itself
   std::vector<Line> helpers;        ///< from the measured points to these, and to a label that was moved
   std::vector<Line> arrows;         ///< tip of an arrow head, and a point it points away from
   std::vector<Vector2> dots;        ///< measured points
@@ -39,5 +40,16 @@ void draw_dimension_lines(const ToolOverlay& overlay, const DimensionShape& shap
 /// Draws a label; nothing without a text. Labels go over the lines of all dimensions.
 void draw_dimension_label(const ToolOverlay& overlay, const DimensionShape& shape, const std::string& text,
                           DimensionLook look);
+
+/// "100 mm", "90°", "R 50 mm", "R 50 / -120 mm", "R 50 mm / flat": principal radii, the smaller one first,
+/// with a minus where the surface bends the other way; one alone where both are alike.
+std::string dimension_text(DimensionKind kind, const MeasuredDimension& value, Unit unit,
+                           const Language& language);
+
+/// The same number with all digits and without words, for copying: "100 mm", "90°", "50 mm".
+std::string exact_dimension_text(DimensionKind kind, const MeasuredDimension& value, Unit unit);
+
+/// Name of a kind, English: "Distance".
+const char* dimension_name(DimensionKind kind);
 
 }  // namespace hariko

@@ -1,14 +1,20 @@
 #include "ui/measure/dimension_layer.hpp"
 
+#include <imgui.h>
 #include <algorithm>
+#include <array>
 #include <string>
 #include <tuple>
 #include <vector>
 
 #include "core/document/edits/edit_dimensions.hpp"
+#include "ui/base/icons.hpp"
 #include "ui/measure/dimension_drawing.hpp"
-#include "ui/measure/dimension_text.hpp"
 #include "ui/view/overlay_drawing.hpp"
+#include "ui/widgets/lists.hpp"
+#include "ui/widgets/overlay_window.hpp"
+#include "ui/widgets/tips.hpp"
+#include "ui/widgets/value_fields.hpp"
 
 namespace hariko {
 
@@ -36,8 +42,6 @@ class LabelTool final : public Tool {
     return ToolState::stay;
   }
 
-  void cancel(ToolContext& context) override { context.editor.cancel_preview(); }
-
   std::string hint(const Language& tr) const override {
     return tr("Release to choose the dimension, drag to move its label");
   }
@@ -55,11 +59,11 @@ struct DrawnDimension {
   std::string text;
   DimensionShape shape;
   bool label_by_hand = false;                             ///< somebody put the label where it is
-  Vector2 low = Vector2::Zero(), high = Vector2::Zero();  ///< of the label
+  Vector2 low = Vector2::Zero(), high = Vector2::Zero();  ///< box of the label
 
   void move_label(const Vector2& by) {
     for (auto& line : shape.lines)
-      if (line.second == shape.label) line.second += by;  // that of a radius leads to it
+      if (line.second == shape.label) line.second += by;  // a radius has a line to the label
     shape.label += by;
     low += by;
     high += by;
@@ -77,7 +81,7 @@ void make_way(std::vector<DrawnDimension>& drawn, double gap) {
     for (DrawnDimension& each : drawn) {
       if (each.label_by_hand != by_hand) continue;
       const auto in_the_way = [&] {
-        return std::find_if(taken.begin(), taken.end(), [&](const auto& box) {
+        return std::ranges::find_if(taken, [&](const auto& box) {
           return (each.low.array() < box.second.array()).all() &&
                  (each.high.array() > box.first.array()).all();
         });
@@ -179,6 +183,62 @@ bool shows_dimensions(const Editor& editor) {
 
 std::unique_ptr<ViewLayer> make_dimension_layer() {
   return std::make_unique<DimensionLayer>();
+}
+
+namespace {
+
+constexpr std::size_t most_rows_at_once = 10;
+constexpr float button_size = 22;  // design pixels
+
+void dimension_row(PanelContext& context, const ShownDimension& shown) {
+  Editor& editor = context.editor;
+  const Dimension& dimension = shown.dimension;
+  const std::string number = std::to_string(dimension.id.value), mark = "dimension_row." + number;
+  const bool chosen = editor.dimensions.chosen(editor) == dimension.id;
+  ImGui::PushID(static_cast<int>(dimension.id.value));
+  row_label(context, dimension_name(dimension.kind), "");
+  const float buttons = 2 * context.metrics.px(button_size + 4);
+  const std::string text =
+      shown.measured ? dimension_text(dimension.kind, *shown.measured, editor.document().unit, context.tr)
+                     : std::string(context.tr("no value"));
+  const float start = ImGui::GetCursorPosX(), room = ImGui::GetContentRegionAvail().x;
+  const std::string fitting = elided(text, room - buttons - context.metrics.px(4));
+  if (selectable_row(context.marks, mark, fitting, chosen, {room - buttons, context.metrics.px(button_size)}))
+    editor.dimensions.choose(editor, dimension.id);
+  if (!shown.measured && ImGui::IsItemHovered())
+    show_tip(context.tr("The surface that it measures is not there, or has no such point any more."));
+  else if (fitting != text && ImGui::IsItemHovered())
+    show_tip(text);
+  ImGui::SameLine(start + room - buttons);
+  {
+    const Disabled disabled(!shown.measured);
+    if (icon_button(context, icon::copy, mark + ".copy", "Copy the value", false, button_size) &&
+        shown.measured)
+      ImGui::SetClipboardText(
+          exact_dimension_text(dimension.kind, *shown.measured, editor.document().unit).c_str());
+  }
+  ImGui::SameLine(0, context.metrics.px(4));
+  if (icon_button(context, icon::trash, mark + ".delete", "Delete the dimension", false, button_size))
+    later(context, remove_dimensions(editor.history.current(), std::array{dimension.id}),
+          translatable("Delete dimension"));
+  ImGui::PopID();
+}
+
+}  // namespace
+
+void dimension_section(PanelContext& context) {
+  Editor& editor = context.editor;
+  const std::vector<ShownDimension>& all = editor.dimensions.all();
+  if (all.empty()) return;
+  heading(context, "Dimensions");
+  const bool many = all.size() > most_rows_at_once;
+  if (many)
+    ImGui::BeginChild("dimensions",
+                      {0, (float(most_rows_at_once) + 0.5F) * ImGui::GetFrameHeightWithSpacing()}, false,
+                      ImGuiWindowFlags_NavFlattened);
+  for (const ShownDimension& shown : all) dimension_row(context, shown);
+  if (many) ImGui::EndChild();
+  if (!editor.view.dimensions) hint_text(context, "Hidden in the views: View > Show dimensions.");
 }
 
 }  // namespace hariko

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "ui/view/view_layer.hpp"
+#include "ui/widgets/panels.hpp"
 
 namespace hariko {
 
@@ -14,5 +15,9 @@ std::unique_ptr<ViewLayer> make_dimension_layer();
 
 /// Whether dimensions are drawn now.
 bool shows_dimensions(const Editor& editor);
+
+/// A row for each dimension: its kind, its value, and buttons that copy the value and delete it. A click on
+/// the value chooses the dimension. Draws nothing where there are none.
+void dimension_section(PanelContext& context);
 
 }  // namespace hariko

@@ -7,8 +7,8 @@
 #include "core/document/edits/edit_dimensions.hpp"
 #include "ui/base/icons.hpp"
 #include "ui/editor/command_host.hpp"
-#include "ui/measure/dimension_text.hpp"
-#include "ui/measure/measure_tool.hpp"
+#include "ui/measure/dimension_drawing.hpp"
+#include "ui/measure/measure_snap.hpp"
 #include "ui/view/viewport.hpp"
 
 namespace hariko {
@@ -23,8 +23,7 @@ WhyNot needs_model(const Editor& editor) {
 }
 
 bool shows_a_surface(const Editor& editor) {
-  const auto& objects = editor.document().objects;
-  return std::any_of(objects.begin(), objects.end(), [](const auto& object) {
+  return std::ranges::any_of(editor.document().objects, [](const auto& object) {
     return object->visible && object->display.surface && object->has_surface();
   });
 }
@@ -43,7 +42,7 @@ const ShownDimension* chosen_dimension(const Editor& editor) {
 }
 
 void begin_measuring(CommandHost& host, DimensionKind kind) {
-  host.editor.view.dimensions = true;  // what is measured is to be seen
+  host.editor.view.dimensions = true;  // measured things are to be seen
   host.viewport.start_modal(make_measure_tool(kind));
 }
 
@@ -63,36 +62,22 @@ void delete_dimensions(Editor& editor) {
 void add_measuring(CommandHost& host, const std::string& menu) {
   Editor& editor = host.editor;
   const WhyNot model = needs_model(editor);
-  host.table.add({.id = "measure.distance",
-                  .menu = menu,
-                  .label = "Measure distance",
-                  .help = "Click two points: their distance stays in the view and follows what it measures.",
-                  .keys = "D",
-                  .icon = icon::measure,
-                  .changes_document = true,
-                  .needs_window = true,
-                  .run = [&host] { begin_measuring(host, DimensionKind::distance); },
-                  .why_not = model});
-  host.table.add({.id = "measure.angle",
-                  .menu = menu,
-                  .label = "Measure angle",
-                  .help = "Click a point, the corner and another point: the angle stays in the view.",
-                  .keys = "Alt+D",
-                  .changes_document = true,
-                  .needs_window = true,
-                  .run = [&host] { begin_measuring(host, DimensionKind::angle); },
-                  .why_not = model});
-  host.table.add({.id = "measure.radius",
-                  .menu = menu,
-                  .label = "Measure radius",
-                  .help = "Click a point of a surface: both radii of its curvature there stay in the view.",
-                  .keys = "Ctrl+Alt+D",
-                  .changes_document = true,
-                  .needs_window = true,
-                  .run = [&host] { begin_measuring(host, DimensionKind::radius); },
-                  .why_not = only_if(
-                      model, [&editor] { return shows_a_surface(editor); },
-                      translatable("No visible object has a smooth surface to measure."))});
+  MenuRows rows(host.table, menu);
+  rows.add_edit("measure.distance", "Measure distance",
+                "Click two points: their distance stays in the view and follows what it measures.",
+                [&host] { begin_measuring(host, DimensionKind::distance); }, model,
+                {.keys = "D", .icon = icon::measure, .needs_window = true});
+  rows.add_edit("measure.angle", "Measure angle",
+                "Click a point, the corner and another point: the angle stays in the view.",
+                [&host] { begin_measuring(host, DimensionKind::angle); }, model,
+                {.keys = "Alt+D", .needs_window = true});
+  rows.add_edit("measure.radius", "Measure radius",
+                "Click a point of a surface: both radii of its curvature there stay in the view.",
+                [&host] { begin_measuring(host, DimensionKind::radius); },
+                only_if(
+                    model, [&editor] { return shows_a_surface(editor); },
+                    translatable("No visible object has a smooth surface to measure.")),
+                {.keys = "Ctrl+Alt+D", .needs_window = true});
 }
 
 }  // namespace
@@ -101,32 +86,24 @@ void add_measure_commands(CommandHost& host) {
   Editor& editor = host.editor;
   const std::string menu = submenu("Analyse", translatable("Measure"));
   add_measuring(host, menu);
-  host.table.add(switching({.id = "measure.show",
-                            .menu = "View",
-                            .label = "Show dimensions",
-                            .help = "Show or hide all dimensions in the views.",
-                            .while_tool_runs = true},
-                           editor.view.dimensions));
-  host.table.add({.id = "measure.copy",
-                  .menu = menu,
-                  .label = "Copy value",
-                  .help = "Copy the value of the chosen dimension with all its digits.",
-                  .needs_window = true,
-                  .run = [&editor] { copy_value(editor); },
-                  .why_not = only_if(
-                      needs_dimensions(editor),
-                      [&editor] {
-                        const ShownDimension* shown = chosen_dimension(editor);
-                        return shown && shown->measured;
-                      },
-                      translatable("No dimension is chosen. Click the value of one."))});
-  host.table.add({.id = "measure.delete_all",
-                  .menu = menu,
-                  .label = "Delete all dimensions",
-                  .help = "Take all distances, angles and radii out of the document.",
-                  .changes_document = true,
-                  .run = [&editor] { delete_dimensions(editor); },
-                  .why_not = needs_dimensions(editor)});
+  MenuRows(host.table, "View")
+      .add_switch("measure.show", "Show dimensions", "Show or hide all dimensions in the views.",
+                  editor.view.dimensions, {.while_tool_runs = true});
+  MenuRows rows(host.table, menu);
+  rows.add("measure.copy", "Copy value", "Copy the value of the chosen dimension with all its digits.",
+           [&editor] { copy_value(editor); },
+           only_if(
+               needs_dimensions(editor),
+               [&editor] {
+                 const ShownDimension* shown = chosen_dimension(editor);
+                 return shown && shown->measured;
+               },
+               translatable("No dimension is chosen. Click the value of one.")),
+           {.needs_window = true});
+  rows.add_edit(
+      "measure.delete_all", "Delete all dimensions",
+      "Take all distances, angles and radii out of the document.", [&editor] { delete_dimensions(editor); },
+      needs_dimensions(editor));
 }
 
 }  // namespace hariko

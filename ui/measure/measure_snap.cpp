@@ -1,7 +1,5 @@
 #include "ui/measure/measure_snap.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <vector>
 
 #include "core/modeling/measuring/measured_dimension.hpp"

@@ -5,7 +5,8 @@
 #include <optional>
 
 #include "core/document/dimension.hpp"
-#include "ui/view/snap_catcher.hpp"
+#include "ui/view/snapping.hpp"
+#include "ui/view/tool.hpp"
 
 namespace hariko {
 
@@ -14,7 +15,7 @@ struct MeasurePlace {
   Kind kind = Kind::space;
   Anchor anchor;
   Vector3 point = Vector3::Zero();               ///< in the document's space
-  SnapTarget::Kind as = SnapTarget::Kind::grid;  ///< of a caught place
+  SnapTarget::Kind as = SnapTarget::Kind::grid;  ///< kind of a caught place
 };
 
 /// Target that a place lies on, for its mark and its name; nothing for a point of space.
@@ -36,5 +37,10 @@ MeasurePlace place_to_measure(const ToolContext& context, const MeasureAim& aim)
 
 /// The point of a surface under the pointer; nothing where there is none with a curvature of its own.
 std::optional<MeasurePlace> surface_to_measure(const ToolContext& context, const Vector2& pixel);
+
+/// Modal: two clicks make a distance, three an angle (the second is its corner), one on a surface a radius. A
+/// complete one becomes a dimension at once, one step each, and the next one can begin; Enter, Esc or a right
+/// click end. Backspace takes the last point back. While it runs the value follows the pointer.
+std::unique_ptr<Tool> make_measure_tool(DimensionKind kind);
 
 }  // namespace hariko

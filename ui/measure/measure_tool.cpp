@@ -1,4 +1,3 @@
-#include "ui/measure/measure_tool.hpp"
 
 #include <GLFW/glfw3.h>
 
@@ -8,7 +7,6 @@
 #include "ui/base/quantity.hpp"
 #include "ui/editor/dimension_view.hpp"
 #include "ui/measure/dimension_drawing.hpp"
-#include "ui/measure/dimension_text.hpp"
 #include "ui/measure/measure_snap.hpp"
 #include "ui/view/overlay_drawing.hpp"
 
@@ -17,15 +15,7 @@ namespace hariko {
 namespace {
 
 const char* step_of(DimensionKind kind) {
-  switch (kind) {
-    case DimensionKind::distance:
-      return translatable("Measure distance");
-    case DimensionKind::angle:
-      return translatable("Measure angle");
-    case DimensionKind::radius:
-      break;
-  }
-  return translatable("Measure radius");
+  return name_among(kind, {"Measure distance", "Measure angle", "Measure radius"});
 }
 
 /// "x 10   y 0   z -2.5", of a distance.
@@ -39,11 +29,9 @@ std::string steps_text(const Vector3& way, Unit unit) {
   return text;
 }
 
-class MeasureTool final : public Tool {
+class MeasureTool final : public ModalTool {
  public:
   explicit MeasureTool(DimensionKind kind) : kind_(kind) {}
-
-  bool modal() const override { return true; }
 
   void begin(ToolContext& context, const PointerEvent& press) override {
     pointer_ = press.pixel;
@@ -60,16 +48,13 @@ class MeasureTool final : public Tool {
 
   std::optional<ToolState> key(ToolContext& context, const KeyPress& press) override {
     const KeyChord& chord = press.chord;
-    if (chord.key == GLFW_KEY_ENTER || chord.key == GLFW_KEY_KP_ENTER || chord.key == GLFW_KEY_SPACE)
-      return ToolState::commit;
+    if (chord.key == GLFW_KEY_ENTER || chord.key == GLFW_KEY_SPACE) return ToolState::commit;
     if (chord.key == GLFW_KEY_BACKSPACE) {
       if (!anchors_.empty()) anchors_.pop_back();
       look(context, false);
       return ToolState::stay;
     }
-    // Letters would run commands in the middle of the gesture.
-    if (chord.control || chord.alt || press.text == 0) return std::nullopt;
-    return ToolState::stay;
+    return unused_key(press);
   }
 
   void cancel(ToolContext&) override {}
@@ -149,15 +134,9 @@ class MeasureTool final : public Tool {
   }
 
   void put(ToolContext& context, bool middles) {
-    const Language& tr = context.editor.language;
-    if (!place_) {
-      error_ = tr("Click a point of a surface.");
-      return;
-    }
-    if (const auto last = last_point(context); last && *last == place_->point) {
-      error_ = tr("This is the last point. Click another one.");
-      return;
-    }
+    if (!place_) return void(refuse(context, "Click a point of a surface."));
+    if (const auto last = last_point(context); last && *last == place_->point)
+      return void(refuse(context, "This is the last point. Click another one."));
     if (anchors_.size() + 1 == anchor_count(kind_)) return keep(context, middles);
     anchors_.push_back(place_->anchor);
     look(context, middles);
@@ -166,15 +145,9 @@ class MeasureTool final : public Tool {
   /// Makes the dimension that is complete, and begins the next one.
   void keep(ToolContext& context, bool middles) {
     Editor& editor = context.editor;
-    if (!present(context)) {
-      error_ = editor.language("The surface has no curvature here.");
-      return;
-    }
+    if (!present(context)) return void(refuse(context, "The surface has no curvature here."));
     auto added = add_dimension(editor.history.current(), kind_, in_hand().anchors);
-    if (!added) {
-      error_ = editor.language.text_of(added.error());
-      return;
-    }
+    if (!added) return void(refuse(context, added.error()));
     editor.commit(Result<Document>(std::move(added).value().document), step_of(kind_));
     anchors_.clear();
     look(context, middles);
@@ -207,11 +180,10 @@ class MeasureTool final : public Tool {
   }
 
   DimensionKind kind_;
-  Vector2 pointer_ = Vector2::Zero();  ///< framebuffer pixels
-  std::vector<Anchor> anchors_;        ///< of the points that were clicked
+  std::vector<Anchor> anchors_;  ///< anchors of the points that were clicked
   std::optional<MeasurePlace> place_;
   SnapCatcher catcher_;
-  std::string value_, steps_, error_;
+  std::string value_, steps_;
 };
 
 }  // namespace

@@ -5,8 +5,10 @@
 #include <cmath>
 #include <cstdio>
 
-#include "ui/base/text_lines.hpp"
 #include "ui/editor/outlines.hpp"
+#include "ui/widgets/items.hpp"
+#include "ui/widgets/number_slider.hpp"
+#include "ui/widgets/option_fields.hpp"
 #include "ui/widgets/tips.hpp"
 
 namespace hariko {
@@ -68,9 +70,7 @@ void GaussPanel::draw(PanelContext& context, GaussView& view, const PanelRect& r
 
 void GaussPanel::toolbar(PanelContext& context, GaussView& view, float width) {
   const auto box = [&](const char* label, const char* id, const char* help, bool& value) {
-    ImGui::Checkbox((std::string(context.tr(label)) + "##" + id).c_str(), &value);
-    context.marks.item(id);
-    if (ImGui::IsItemHovered()) show_tip(context.tr(help));
+    option_check(context, id, label, help, value);
     ImGui::SameLine();
   };
   box(translatable("Cells"), "gauss.cells",
@@ -80,8 +80,7 @@ void GaussPanel::toolbar(PanelContext& context, GaussView& view, float width) {
   const char* close = translatable("Close");
   const float size = ImGui::CalcTextSize(context.tr(close)).x + 2 * ImGui::GetStyle().FramePadding.x;
   ImGui::SetCursorPosX(std::max(ImGui::GetCursorPosX(), width - size - context.metrics.px(8)));
-  if (ImGui::Button(context.tr(close))) context.run("outline.sphere");
-  context.marks.item("gauss.close");
+  if (text_button(context.marks, "gauss.close", context.tr(close))) context.run("outline.sphere");
 }
 
 void GaussPanel::step_bar(PanelContext& context, GaussView& view, float width) {
@@ -90,22 +89,19 @@ void GaussPanel::step_bar(PanelContext& context, GaussView& view, float width) {
   int step = view.step ? std::min(static_cast<int>(*view.step), all) : all;
   const int before = step;
   const auto arrow = [&](const char* id, ImGuiDir direction, int by, const char* help) {
-    if (ImGui::ArrowButton(id, direction)) step = std::clamp(step + by, 0, all);
-    context.marks.item(id);
-    if (ImGui::IsItemHovered()) show_tip(context.tr(help));
+    if (arrow_button(context.marks, id, direction, context.tr(help))) step = std::clamp(step + by, 0, all);
     ImGui::SameLine();
   };
   arrow("gauss.back", ImGuiDir_Left, -1, translatable("One site less"));
   arrow("gauss.forward", ImGuiDir_Right, 1, translatable("Insert one more site"));
   const std::string text = fill(context.tr("{0} of {1} sites"), {std::to_string(step), std::to_string(all)});
   const float room = ImGui::CalcTextSize(text.c_str()).x + m.px(24);
-  ImGui::SetNextItemWidth(std::max(m.px(60), width - ImGui::GetCursorPosX() - room));
-  ImGui::SliderInt("##gauss_step", &step, 0, all, "", ImGuiSliderFlags_NoInput);
-  context.marks.item("gauss.step");
+  track_slider(context.marks, "gauss.step", std::max(m.px(60), width - ImGui::GetCursorPosX() - room), all,
+               step);
   if (ImGui::IsItemHovered() && !ImGui::IsItemActive())
     show_tip(context.tr("Inserts the sites one by one, each where most room is"));
   ImGui::SameLine();
-  ImGui::TextUnformatted(text.c_str());
+  plain_text(text);
   if (step != before) view.step = step < all ? std::optional(Index(step)) : std::nullopt;
 }
 
@@ -115,14 +111,8 @@ void GaussPanel::say(PanelContext& context, const std::string& text, const std::
   const float width = std::min(rect.width() - m.px(32), m.px(420));
   ImGui::SetCursorScreenPos({rect.min.x + (rect.width() - width) / 2, rect.min.y + m.px(14)});
   ImGui::BeginChild("message", {width, m.px(110)}, false, ImGuiWindowFlags_NoInputs);
-  {
-    const TextColour colour(wrong ? palette().error : palette().dim_text);
-    text_in_lines(text);
-  }
-  if (!remedy.empty()) {
-    const TextColour dim(palette().dim_text);
-    text_in_lines(remedy);
-  }
+  coloured_lines(wrong ? palette().error : palette().dim_text, text);
+  if (!remedy.empty()) coloured_lines(palette().dim_text, remedy);
   ImGui::EndChild();
 }
 
@@ -153,9 +143,7 @@ void GaussPanel::sphere(PanelContext& context, GaussView& view, const PanelRect&
     return say(context, context.tr("The chosen object is not an outline. Choose one in the list of objects."),
                {}, false, rect);
   if (!view.sphere || !view.object) return;
-  ImGui::SetCursorScreenPos(rect.min);
-  ImGui::InvisibleButton("sphere", {rect.width(), rect.height()});
-  const bool hovered = ImGui::IsItemHovered();
+  const bool hovered = pointer_area(context.marks, "gauss.view", rect);
   if (hovered && ImGui::GetIO().MouseWheel != 0)
     zoom_ = std::clamp(zoom_ * std::pow(1.15F, ImGui::GetIO().MouseWheel), 1.0F, greatest_zoom);
   const SpherePlace place = place_in(editor, view, rect);
@@ -208,8 +196,8 @@ void GaussPanel::point_at(PanelContext& context, GaussView& view, const SpherePl
   const std::string name = fill(
       context.tr(view.sphere->mesh->is_boundary(site) ? translatable("Point {0}") : translatable("Site {0}")),
       {std::to_string(site)});
-  ImGui::SetTooltip("%s\n%s %s", name.c_str(), context.tr("Gaussian curvature"),
-                    number_text(view.sphere->points->curvature[site]).c_str());
+  pointer_tip(name + "\n" + context.tr("Gaussian curvature") + " " +
+              number_text(view.sphere->points->curvature[site]));
 }
 
 void GaussPanel::press_and_drag(PanelContext& context, GaussView& view, const SpherePlace& place,

@@ -1,8 +1,6 @@
-#include "ui/outline/loop_tool.hpp"
+#include "ui/outline/outline_handles.hpp"
 
 #include <GLFW/glfw3.h>
-
-#include <cmath>
 
 #include "core/document/edits/edits.hpp"
 #include "core/gaussmap/outlines/drawn_loop.hpp"
@@ -13,7 +11,7 @@
 #include "ui/editor/outlines.hpp"
 #include "ui/editor/probe.hpp"
 #include "ui/view/overlay_drawing.hpp"
-#include "ui/view/snap_catcher.hpp"
+#include "ui/view/snapping.hpp"
 
 namespace hariko {
 
@@ -23,10 +21,9 @@ constexpr double close_radius = 12;  ///< design pixels round the first corner t
 constexpr std::size_t loop_points = 32;
 constexpr double dome_tilt = 0.7853981633974483, hole_tilt = 0.35;  ///< radians
 
-class LoopTool final : public Tool {
+class LoopTool final : public ModalTool {
  public:
   explicit LoopTool(std::optional<ObjectId> outline) : outline_(outline) {}
-  bool modal() const override { return true; }
 
   void begin(ToolContext& context, const PointerEvent& press) override {
     plane_ = context.editor.working_plane;
@@ -38,12 +35,10 @@ class LoopTool final : public Tool {
     look(context, event);
     if (event.kind != PointerEvent::Kind::press) return ToolState::stay;
     if (closes_) return confirm(context);
-    if (!place_) {
-      error_ = context.editor.language(on_surface_ && !corners_.empty() ? "Click on the surface."
-                                       : plane_.is_ground() ? "Click on the ground or on a surface."
-                                                            : "Click on the working plane or on a surface.");
-      return ToolState::stay;
-    }
+    if (!place_)
+      return refuse(context, on_surface_ && !corners_.empty() ? "Click on the surface."
+                             : plane_.is_ground()             ? "Click on the ground or on a surface."
+                                                  : "Click on the working plane or on a surface.");
     if (corners_.empty()) on_surface_ = place_->normal.has_value();
     corners_.push_back(*place_);
     return ToolState::stay;
@@ -51,14 +46,13 @@ class LoopTool final : public Tool {
 
   std::optional<ToolState> key(ToolContext& context, const KeyPress& press) override {
     const KeyChord& chord = press.chord;
-    if (chord.key == GLFW_KEY_ENTER || chord.key == GLFW_KEY_KP_ENTER) return confirm(context);
+    if (chord.key == GLFW_KEY_ENTER) return confirm(context);
     if (chord.key == GLFW_KEY_BACKSPACE) {
       if (!corners_.empty()) corners_.pop_back();
       error_.clear();
       return ToolState::stay;
     }
-    if (chord.control || chord.alt || press.text == 0) return std::nullopt;
-    return ToolState::stay;
+    return unused_key(press);
   }
 
   void cancel(ToolContext&) override {}
@@ -94,7 +88,7 @@ class LoopTool final : public Tool {
  private:
   struct Corner {
     Vector3 point;                  ///< in the document's space
-    std::optional<Vector3> normal;  ///< of the surface that it lies on
+    std::optional<Vector3> normal;  ///< normal of the surface that it lies on
     double gauss = 0;               ///< its Gaussian curvature, 0 where it has none
   };
 
@@ -156,15 +150,8 @@ class LoopTool final : public Tool {
       for (std::size_t i = 0; i < curve.piece_count(); ++i)
         for (int k = 0; k < pieces; ++k) line.push_back(curve.at(i, double(k) / pieces).point);
     }
-    std::optional<Vector2> last;
-    const bool closed = through.size() >= 3;
-    for (std::size_t i = 0; i < line.size() + (closed ? 1 : 0); ++i) {
-      const auto at = projector.project(line[i % line.size()]);
-      if (at && last)
-        overlay.list.AddLine(on_screen(overlay, *last), on_screen(overlay, at->head<2>()), palette().hot,
-                             overlay.metrics.px(2));
-      last = at ? std::optional<Vector2>(at->head<2>()) : std::nullopt;
-    }
+    if (through.size() >= 3) line.push_back(line.front());
+    draw_polyline(overlay, projector, line, palette().hot, 2);
   }
 
   static bool apart(const std::vector<Vector3>& points) {
@@ -226,10 +213,7 @@ class LoopTool final : public Tool {
 
   ToolState confirm(ToolContext& context) {
     auto loop = make(context);
-    if (!loop) {
-      error_ = context.editor.language.text_of(loop.error());
-      return ToolState::stay;
-    }
+    if (!loop) return refuse(context, loop.error());
     return outline_ ? add_to_outline(context.editor, *std::move(loop))
                     : add_outline(context.editor, *std::move(loop));
   }
@@ -287,22 +271,18 @@ class LoopTool final : public Tool {
 
   std::string value_text(const Language& tr) const {
     std::string text = tr(outline_ ? "Loop" : "Outline");
-    if (!corners_.empty())
-      text += "  " + fill(tr(corners_.size() == 1 ? "{0} corner" : "{0} corners"),
-                          {std::to_string(corners_.size())});
+    if (!corners_.empty()) text += "  " + tr.counted(corners_.size(), "{0} corner", "{0} corners");
     if (closes_) text += "   " + std::string(tr("Closes the loop"));
     if (caught_ && !closes_) text += "   " + std::string(tr(snap_name(caught_->kind)));
     return text;
   }
 
-  std::optional<ObjectId> outline_;  ///< that gets the loop; none: a new one
-  Vector2 pointer_ = Vector2::Zero();
+  std::optional<ObjectId> outline_;  ///< outline that gets the loop; none: a new one
   std::vector<Corner> corners_;
   bool on_surface_ = false;  ///< the first corner lies on one
   std::optional<Corner> place_;
   bool closes_ = false;  ///< a click would
-  std::string error_;
-  WorkingPlane plane_;  ///< as it was when the tool began
+  WorkingPlane plane_;   ///< as it was when the tool began
   SnapCatcher catcher_;
   std::optional<SnapTarget> caught_;
 };

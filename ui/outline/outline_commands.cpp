@@ -7,8 +7,8 @@
 #include "ui/editor/command_host.hpp"
 #include "ui/editor/new_object.hpp"
 #include "ui/editor/outlines.hpp"
-#include "ui/outline/loop_tool.hpp"
-#include "ui/view/view_room.hpp"
+#include "ui/outline/outline_handles.hpp"
+#include "ui/view/view_panes.hpp"
 #include "ui/view/viewport.hpp"
 
 namespace hariko {
@@ -102,47 +102,18 @@ void resample(Editor& editor, LoopMeasure measure, const char* step) {
     editor.selection.clear_elements();
 }
 
-/// Rows of the menu, which all change the document.
-struct OutlineMenu {
-  CommandHost& host;
-  bool group = false;
-  bool points = false;  ///< the next row works with the pointer
-  void next_group() { group = true; }
-  void add(const char* id, const char* label, const char* help, std::function<void()> run, WhyNot why_not,
-           Context contexts = Context::none) {
-    host.table.add({.id = id,
-                    .menu = translatable("Outline"),
-                    .label = label,
-                    .help = help,
-                    .changes_document = true,
-                    .separator_before = group,
-                    .needs_window = points,
-                    .run = std::move(run),
-                    .why_not = std::move(why_not),
-                    .contexts = contexts});
-    group = points = false;
-  }
-};
-
-void add_drawing(OutlineMenu& menu) {
-  CommandHost& host = menu.host;
+void add_drawing(CommandHost& host, MenuRows& rows) {
   Editor& editor = host.editor;
-  host.table.add(
-      {.id = "add.outline",
-       .menu = "Add",
-       .label = "Outline",
-       .help = "Draw a closed loop on the working plane or on a surface; a smooth surface fills it.",
-       .changes_document = true,
-       .separator_before = true,
-       .needs_window = true,
-       .run = [&host] { draw_outline(host); },
-       .contexts = Context::empty});
-  menu.points = true;
-  menu.add(
-      "outline.add_loop", "Add loop", "Draw another loop of the outline: the surface has a hole there.",
-      [&host] { host.viewport.start_modal(make_loop_tool(host.editor.selection.active)); },
-      needs_outline(editor));
-  menu.add(
+  MenuRows(host.table, "Add")
+      .add_edit("add.outline", "Outline",
+                "Draw a closed loop on the working plane or on a surface; a smooth surface fills it.",
+                [&host] { draw_outline(host); }, {},
+                {.separator_before = true, .needs_window = true, .contexts = Context::empty});
+  rows.add_edit("outline.add_loop", "Add loop",
+                "Draw another loop of the outline: the surface has a hole there.",
+                [&host] { host.viewport.start_modal(make_loop_tool(host.editor.selection.active)); },
+                needs_outline(editor), {.needs_window = true});
+  rows.add_edit(
       "outline.from_border", "Outline from border",
       "Make outlines of the borders of the chosen object's surface, with its normals; new surfaces go on "
       "from there.",
@@ -154,27 +125,21 @@ void show_sphere(Editor& editor) {
   change_room_of_views(editor, editor.gauss.shown);
 }
 
-void add_sphere(CommandHost& host) {
-  Editor& editor = host.editor;
-  host.table.add(
-      {.id = "outline.sphere",
-       .menu = "Outline",
-       .label = "Gauss sphere",
-       .help = "Show the normals of the outline on a sphere beside the model, with the sites inside.",
-       .separator_before = true,
-       .run = [&editor] { show_sphere(editor); },
-       .why_not = [&editor,
-                   outline = needs_outline(editor)] { return editor.gauss.shown ? Reason() : outline(); },
-       .checked = [&editor] { return editor.gauss.shown; }});
+void add_sphere(Editor& editor, MenuRows& rows) {
+  rows.add(
+      "outline.sphere", "Gauss sphere",
+      "Show the normals of the outline on a sphere beside the model, with the sites inside.",
+      [&editor] { show_sphere(editor); },
+      [&editor, outline = needs_outline(editor)] { return editor.gauss.shown ? Reason() : outline(); },
+      {.separator_before = true, .checked = [&editor] { return editor.gauss.shown; }});
 }
 
-void add_points(OutlineMenu& menu) {
-  Editor& editor = menu.host.editor;
-  menu.next_group();
-  menu.add(
+void add_points(Editor& editor, MenuRows& rows) {
+  rows.next_group();
+  rows.add_edit(
       "outline.insert_points", "Insert points", "One more point after each selected one.",
       [&editor] { insert_points(editor); }, needs_points(editor));
-  menu.add(
+  rows.add_edit(
       "outline.select_loops", "Select whole loops", "Select all points of the loops that have selected ones.",
       [&editor] {
         const Object& object = *active_outline(editor);
@@ -184,20 +149,19 @@ void add_points(OutlineMenu& menu) {
         editor.selection.select(object.id, chosen, Selection::How::replace);
       },
       needs_points(editor));
-  menu.add(
+  rows.add_edit(
       "outline.resample", "Resample by normals", "Even steps of the normals along each loop.",
       [&editor] { resample(editor, LoopMeasure::gauss_arc, translatable("Resample by normals")); },
       needs_outline(editor));
-  menu.add(
+  rows.add_edit(
       "outline.resample_length", "Resample by length", "Even steps of length along each loop.",
       [&editor] { resample(editor, LoopMeasure::arc, translatable("Resample by length")); },
       needs_outline(editor));
 }
 
-void add_normals(OutlineMenu& menu) {
-  Editor& editor = menu.host.editor;
-  menu.next_group();
-  menu.add(
+void add_normals(Editor& editor, MenuRows& rows) {
+  rows.next_group();
+  rows.add_edit(
       "outline.spread", "Spread normals",
       "The normals of the selected points go smoothly along their loops, all other ones are replaced.",
       [&editor] {
@@ -208,7 +172,7 @@ void add_normals(OutlineMenu& menu) {
             translatable("Spread normals"));
       },
       needs_points(editor));
-  menu.add(
+  rows.add_edit(
       "outline.turn", "Turn inside out", "The other side of the surface becomes the outer one.",
       [&editor] {
         change_outline(
@@ -216,7 +180,7 @@ void add_normals(OutlineMenu& menu) {
             translatable("Turn inside out"));
       },
       needs_outline(editor));
-  menu.add(
+  rows.add_edit(
       "outline.forget_curvature", "Forget curvature", "Use the points and normals alone.",
       [&editor] {
         const Object& object = *active_outline(editor);
@@ -243,15 +207,15 @@ void add_normals(OutlineMenu& menu) {
 }  // namespace
 
 void add_outline_commands(CommandHost& host) {
-  OutlineMenu menu{host};
   Editor& editor = host.editor;
-  add_drawing(menu);
-  add_points(menu);
-  add_normals(menu);
-  add_sphere(host);
+  MenuRows rows(host.table, translatable("Outline"));
+  add_drawing(host, rows);
+  add_points(editor, rows);
+  add_normals(editor, rows);
+  add_sphere(editor, rows);
   host.table.use_in_scripts("outline.from_border", {.looks_at_surfaces = true});
-  menu.next_group();
-  menu.add(
+  rows.next_group();
+  rows.add_edit(
       "outline.convert", "Convert to polyhedron",
       "The control points become a polyhedron whose vertices and normals can be edited; the surface stays.",
       [&editor] {
@@ -260,7 +224,7 @@ void add_outline_commands(CommandHost& host) {
                           translatable("Convert to polyhedron")))
           editor.selection.prune(editor.document());
       },
-      needs_outline(editor), Context::object);
+      needs_outline(editor), {.contexts = Context::object});
 }
 
 }  // namespace hariko

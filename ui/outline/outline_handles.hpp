@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "ui/view/tool.hpp"
 #include "ui/view/view_layer.hpp"
 
 namespace hariko {
@@ -43,5 +44,11 @@ class OutlineHandles final : public ViewLayer {
 /// Turns the normal of a point, and with it those of the other selected points, about the loop. For a press
 /// on an arrowhead.
 std::unique_ptr<Tool> make_normal_tool(ObjectId object, Index number);
+
+/// Modal: clicks put corners on the working plane, or, when the first one is on a surface, on surfaces; Ctrl
+/// snaps. A smooth loop runs through them. Enter, or a click on the first corner, makes it: a new
+/// outline, or one more loop of `outline`, which bounds a hole. On the plane its normals lean away from the
+/// surface; on surfaces it has theirs. Backspace takes the last corner away.
+std::unique_ptr<Tool> make_loop_tool(std::optional<ObjectId> outline = {});
 
 }  // namespace hariko

@@ -5,7 +5,7 @@
 #include "core/unfolding/edit_unfolding.hpp"
 #include "ui/editor/command_host.hpp"
 #include "ui/editor/paper_edits.hpp"
-#include "ui/view/view_room.hpp"
+#include "ui/view/view_panes.hpp"
 #include "ui/widgets/application_services.hpp"
 #include "ui/widgets/command_services.hpp"
 
@@ -42,26 +42,16 @@ void show_paper(Editor& editor) {
 
 void add_view_commands_of_paper(CommandHost& host) {
   Editor& editor = host.editor;
-  host.table.add({.id = "paper.show",
-                  .menu = "Paper",
-                  .label = "Paper view",
-                  .help = "Show the pages of a paper model beside the model.",
-                  .keys = "Ctrl+P",
-                  .run = [&editor] { show_paper(editor); },
-                  .why_not = needs_document(editor),
-                  .checked = [&editor] { return editor.paper.shown; }});
-  host.table.add(switching({.id = "paper.in_space",
-                            .menu = "Paper",
-                            .label = "Paper in the view",
-                            .help = "The view of the model shows the paper instead of the objects.",
-                            .why_not = needs_pages(editor)},
-                           editor.paper.in_space));
-  host.table.add({.id = "paper.frame",
-                  .menu = "Paper",
-                  .label = "All pages",
-                  .help = "Show all pages in the paper view.",
-                  .run = [&editor] { editor.paper.wants_framing = true; },
-                  .why_not = needs_pages(editor)});
+  MenuRows rows(host.table, "Paper");
+  rows.add("paper.show", "Paper view", "Show the pages of a paper model beside the model.",
+           [&editor] { show_paper(editor); }, needs_document(editor),
+           {.keys = "Ctrl+P", .checked = [&editor] { return editor.paper.shown; }});
+  rows.add_switch("paper.in_space", "Paper in the view",
+                  "The view of the model shows the paper instead of the objects.", editor.paper.in_space,
+                  {.why_not = needs_pages(editor)});
+  rows.add(
+      "paper.frame", "All pages", "Show all pages in the paper view.",
+      [&editor] { editor.paper.wants_framing = true; }, needs_pages(editor));
 }
 
 void arrange_pages(Editor& editor) {
@@ -96,14 +86,9 @@ void split_to_pages(Editor& editor) {
 /// A row of the menu that changes the pages or their pieces.
 void add_paper_edit(CommandHost& host, const char* id, const char* label, const char* help,
                     void (*edit)(Editor&), WhyNot why_not, bool first = false) {
-  host.table.add({.id = id,
-                  .menu = "Paper",
-                  .label = label,
-                  .help = help,
-                  .changes_document = true,
-                  .separator_before = first,
-                  .run = [&editor = host.editor, edit] { edit(editor); },
-                  .why_not = std::move(why_not)});
+  MenuRows(host.table, "Paper")
+      .add_edit(id, label, help, [&editor = host.editor, edit] { edit(editor); }, std::move(why_not),
+                {.separator_before = first});
 }
 
 void add_piece_commands(CommandHost& host) {
@@ -151,18 +136,14 @@ void add_paper_commands(CommandHost& host) {
   Editor& editor = host.editor;
   CommandServices& services = host.services;
   add_view_commands_of_paper(host);
-  host.table.add(
-      {.id = "paper.unfold",
-       .menu = "Paper",
-       .label = "Unfold",
-       .help = "Look for cuts, so that the model lies flat on few pages.",
-       .keys = "Ctrl+Shift+U",
-       .changes_document = true,
-       .separator_before = true,
-       .run = [&paper = editor.paper] { paper.shown = paper.wants_unfolding = true; },
-       .why_not = only_if(
-           needs_document(editor), [&editor] { return !unfoldable_objects(editor.document()).empty(); },
-           translatable("There is no visible surface to unfold. Show an object or add one."))});
+  MenuRows rows(host.table, "Paper");
+  rows.add_edit(
+      "paper.unfold", "Unfold", "Look for cuts, so that the model lies flat on few pages.",
+      [&paper = editor.paper] { paper.shown = paper.wants_unfolding = true; },
+      only_if(
+          needs_document(editor), [&editor] { return !unfoldable_objects(editor.document()).empty(); },
+          translatable("There is no visible surface to unfold. Show an object or add one.")),
+      {.keys = "Ctrl+Shift+U", .separator_before = true});
   add_paper_edit(host, "paper.arrange", "Arrange", "Pack all pieces and strips on the pages anew.",
                  arrange_pages, needs_pages(editor));
   add_piece_commands(host);
@@ -171,18 +152,14 @@ void add_paper_commands(CommandHost& host) {
                  only_if(
                      needs_document(editor), [&editor] { return editor.document().paper != nullptr; },
                      translatable("There are no pages yet. Unfold the model first.")));
-  host.table.add({.id = "paper.export",
-                  .menu = "Paper",
-                  .label = "Export pages\u2026",
-                  .help = "Write the pages as PDF, SVG, DXF or PNG.",
-                  .separator_before = true,
-                  .needs_window = true,
-                  .run = [&editor, &services] { export_pages(editor, services); },
-                  .why_not = needs_pages(editor),
-                  .script = {.arguments = {path_argument("path", translatable("File"))},
-                             .run = [&host](const Arguments& given) {
-                               host.application.export_pages(given.text("path"));
-                             }}});
+  rows.add("paper.export", "Export pages\u2026", "Write the pages as PDF, SVG, DXF or PNG.",
+           [&editor, &services] { export_pages(editor, services); }, needs_pages(editor),
+           {.separator_before = true,
+            .needs_window = true,
+            .script = {.arguments = {path_argument("path", translatable("File"))},
+                       .run = [&host](const Arguments& given) {
+                         host.application.export_pages(given.text("path"));
+                       }}});
 }
 
 }  // namespace hariko

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+#include <utility>
+
+#include "ui/view/navigation.hpp"
 
 namespace hariko {
 
@@ -125,10 +127,7 @@ class Artist {
     const auto width = static_cast<float>(std::max(double(metrics_.px(1)), pen.width * table_.zoom));
     const double length = std::hypot(double(b.x - a.x), double(b.y - a.y));
     const double period = (dash + pause) * table_.zoom;
-    if (!pen.dashed || period < 3 || length > 400 * period) {
-      list_.AddLine(a, b, pen.colour, width);
-      return;
-    }
+    if (!pen.dashed || period < 3 || length > 400 * period) return list_.AddLine(a, b, pen.colour, width);
     const auto at = [&](double distance) {
       const auto t = static_cast<float>(std::min(1.0, distance / length));
       return ImVec2(a.x + t * (b.x - a.x), a.y + t * (b.y - a.y));
@@ -252,6 +251,45 @@ PieceBox box_of(const PaperLayout& layout, Index piece) {
   for (const Index facet : layout.unfolding.pieces[piece].facets)
     for (const Vector2& corner : layout.unfolding.corners[facet]) extend(as_drawn(layout, corner));
   return out;
+}
+
+namespace {
+
+constexpr double hover_reach = 5;  // design pixels
+
+class PaperLayer final : public ViewLayer {
+ public:
+  bool hover(const ToolContext& context, const Vector2& pixel) override {
+    const PaperSolid* paper = context.scene.paper();
+    if (!paper) return false;
+    const Editor& editor = context.editor;
+    const double reach = hover_reach * editor.pixel_scale * editor.camera().pixel_length(editor.viewport);
+    context.editor.paper.hovered = paper_under(*paper, context.projector().ray(pixel), reach);
+    here_ = true;
+    return true;
+  }
+
+  void leave(const ToolContext& context) override {
+    if (std::exchange(here_, false)) context.editor.paper.hovered = {};
+  }
+
+  std::optional<std::unique_ptr<Tool>> press(const ToolContext& context, const PointerEvent& press) override {
+    PaperState& state = context.editor.paper;
+    if (!context.scene.paper() || press.button != PointerButton::left || state.hovered.facet == no_index ||
+        navigation_of(context.editor, press))
+      return {};
+    state.selected = state.hovered.facet;
+    return std::optional<std::unique_ptr<Tool>>(nullptr);
+  }
+
+ private:
+  bool here_ = false;  ///< the paper's hovered part is hovered in the views
+};
+
+}  // namespace
+
+std::unique_ptr<ViewLayer> make_paper_layer() {
+  return std::make_unique<PaperLayer>();
 }
 
 }  // namespace hariko

@@ -5,6 +5,7 @@
 #include <imgui.h>
 
 #include "ui/editor/paper_state.hpp"
+#include "ui/view/view_layer.hpp"
 #include "ui/widgets/panels.hpp"
 
 namespace hariko {
@@ -15,16 +16,16 @@ struct PageTable {
   PaperSize page;
   Index columns = 1;
   double zoom = 1;                   ///< screen pixels for 1 mm
-  Vector2 corner = Vector2::Zero();  ///< of the first page, screen pixels
+  Vector2 corner = Vector2::Zero();  ///< corner of the first page, screen pixels
 
   /// As many columns as give a table of about this shape (width over height).
   static Index columns_for(const PaperSize& page, Index pages, double aspect);
-  Vector2 upper_left(Index number) const;  ///< of a page, screen pixels
+  Vector2 upper_left(Index number) const;  ///< corner of a page, screen pixels
   ImVec2 to_screen(Index number, const Vector2& p) const;
   Vector2 to_page(Index number, const Vector2& pixel) const;
   /// The page under a pixel, or the nearest of `pages`.
   Index page_near(const Vector2& pixel, Index pages) const;
-  /// Of the whole table at zoom 1, mm.
+  /// Size of the whole table at zoom 1, mm.
   Vector2 size(Index pages) const;
 };
 
@@ -46,5 +47,7 @@ struct PieceBox {
   Vector2 low, high;
 };
 PieceBox box_of(const PaperLayout& layout, Index piece);
+
+std::unique_ptr<ViewLayer> make_paper_layer();
 
 }  // namespace hariko

@@ -4,10 +4,15 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/skinning/edit/stroke.hpp"
 #include "core/unfolding/edit_unfolding.hpp"
 #include "ui/base/icons.hpp"
-#include "ui/base/text_lines.hpp"
 #include "ui/editor/paper_edits.hpp"
+#include "ui/widgets/command_menu.hpp"
+#include "ui/widgets/items.hpp"
+#include "ui/widgets/lists.hpp"
+#include "ui/widgets/number_slider.hpp"
+#include "ui/widgets/option_fields.hpp"
 #include "ui/widgets/tips.hpp"
 
 namespace hariko {
@@ -32,16 +37,24 @@ bool holds(const Corners& corners, const Vector2& p) {
   return left == 0 || right == 0;
 }
 
-double distance_to(const Vector2& a, const Vector2& b, const Vector2& p) {
-  const Vector2 along = b - a;
-  const double t = std::clamp((p - a).dot(along) / std::max(along.squaredNorm(), 1e-300), 0.0, 1.0);
-  return (p - a - t * along).norm();
+const Job* search_job(const Editor& editor) {
+  const auto found =
+      std::ranges::find_if(editor.jobs, [](const auto& job) { return job->text == PaperState::search_text; });
+  return found == editor.jobs.end() ? nullptr : found->get();
 }
 
-const Job* search_job(const Editor& editor) {
-  const auto found = std::find_if(editor.jobs.begin(), editor.jobs.end(),
-                                  [](const auto& job) { return job->text == PaperState::search_text; });
-  return found == editor.jobs.end() ? nullptr : found->get();
+/// Hint of what a click or a drag does at a place of the pages.
+const char* hint_over(const Unfolding& unfolding, const PaperHover& on) {
+  if (on.joint != no_index)
+    return unfolding.joints[on.joint].tab
+               ? translatable("Click puts the tab on the other side   Shift: a strip instead")
+               : translatable("Click puts a tab in the place of the strip");
+  if (on.edge != no_index)
+    return unfolding.folds[on.edge] ? translatable("Click splits the piece here")
+                                    : translatable("Click joins the pieces here");
+  if (on.facet != no_index)
+    return translatable("Drag moves the piece   click selects it   the right button has more");
+  return translatable("Drag moves the paper   the wheel zooms");
 }
 
 /// A button of the bar that runs a command; greyed where it cannot run.
@@ -51,8 +64,7 @@ void command_button(PanelContext& context, const char* id) {
   ImGui::SameLine();
   {
     const Disabled disabled(blocked);
-    if (ImGui::Button((std::string(context.tr(command.label)) + "##" + id).c_str())) context.run(id);
-    context.marks.item(id);
+    if (text_button(context.marks, id, context.tr(command.label))) context.run(id);
   }
   if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled))
     show_tip((blocked ? context.tr.phrase(*command.why_not()) : context.tr(command.help)));
@@ -89,19 +101,13 @@ void PaperPanel::draw(PanelContext& context, const PanelRect& rect) {
 void PaperPanel::toolbar(PanelContext& context) {
   const Job* job = search_job(context.editor);
   if (job) {
-    ImGui::AlignTextToFramePadding();
-    ImGui::TextUnformatted(context.tr("Looking for cuts"));
+    aligned_text(context.tr("Looking for cuts"));
     ImGui::SameLine();
-    const std::string percent = std::to_string(percent_of(*job)) + " %";
-    ImGui::ProgressBar(static_cast<float>(std::max(0.0, job->progress.fraction())),
-                       {context.metrics.px(140), 0}, percent.c_str());
-    ImGui::SameLine();
-    if (ImGui::Button(context.tr("Cancel"))) job->cancel.cancel();
-    context.marks.item("paper.cancel");
+    if (job_bar(context.marks, "paper.cancel", *job, context.metrics.px(140), context.tr("Cancel")))
+      job->cancel.cancel();
     return;
   }
-  if (main_button(context.tr("Unfold"))) context.run("paper.unfold");
-  context.marks.item("paper.unfold");
+  if (main_button(context.marks, "paper.unfold", context.tr("Unfold"))) context.run("paper.unfold");
   if (ImGui::IsItemHovered())
     show_tip(context.tr("Look for the cuts anew. Edges that you cut or joined stay so."));
   if (!context.editor.paper.visible()) return;
@@ -117,18 +123,14 @@ void PaperPanel::empty_page(PanelContext& context, const PanelRect& rect) {
   ImGui::SetCursorScreenPos({rect.min.x + (rect.width() - width) / 2, rect.min.y + 0.3F * rect.height()});
   ImGui::BeginChild("message", {width, 0.6F * rect.height()});
   if (state.fault) {
-    for (const Message& message : state.fault->messages) {
-      const TextColour red(palette().error);
-      text_in_lines(context.tr.text_of(message));
-    }
-    const TextColour dim(palette().dim_text);
-    text_in_lines(context.tr.remedy_of(state.fault->messages.front()));
+    for (const Message& message : state.fault->messages)
+      coloured_lines(palette().error, context.tr.text_of(message));
+    coloured_lines(palette().dim_text, context.tr.remedy_of(state.fault->messages.front()));
   } else if (state.pending || search_job(context.editor)) {
-    const TextColour dim(palette().dim_text);
-    text_in_lines(context.tr("The facets are being laid out\u2026"));
+    coloured_lines(palette().dim_text, context.tr("The facets are being laid out\u2026"));
   } else {
-    const TextColour dim(palette().dim_text);
-    text_in_lines(
+    coloured_lines(
+        palette().dim_text,
         context.tr("Press Unfold to cut the model into pieces that lie flat, with tabs to glue them. "
                    "Size, page and tolerance stand in the panel at the right."));
   }
@@ -149,12 +151,7 @@ void PaperPanel::pages(PanelContext& context, const PanelRect& rect) {
   PaperState& state = editor.paper;
   table_.page = state.visible()->unfolding.settings.page;
   if (std::exchange(state.wants_framing, false)) frame(*state.visible(), rect, context.metrics);
-  ImGui::SetCursorScreenPos(rect.min);
-  ImGui::InvisibleButton("pages", {rect.width(), rect.height()},
-                         ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |
-                             ImGuiButtonFlags_MouseButtonMiddle);
-  context.marks.item("paper.view");
-  const bool hovered = ImGui::IsItemHovered();
+  const bool hovered = pointer_area(context.marks, "paper.view", rect, all_buttons);
   const Vector2 pixel = mouse();
   const double reach = double(context.metrics.px(edge_reach));
   if (hovered && !drag_) {
@@ -195,22 +192,10 @@ void PaperPanel::pages(PanelContext& context, const PanelRect& rect) {
   say(context, layout, rect);
   list.PopClipRect();
   mark(context.marks, layout, rect);
-  if (hovered && !dragging()) {
-    const PaperHover& on = state.hovered;
-    if (on.joint != no_index)
-      hint_ = context.tr(layout.unfolding.joints[on.joint].tab
-                             ? translatable("Click puts the tab on the other side   Shift: a strip instead")
-                             : translatable("Click puts a tab in the place of the strip"));
-    else if (on.edge != no_index)
-      hint_ = context.tr(layout.unfolding.folds[on.edge] ? translatable("Click splits the piece here")
-                                                         : translatable("Click joins the pieces here"));
-    else if (on.facet != no_index)
-      hint_ = context.tr("Drag moves the piece   click selects it   the right button has more");
-    else
-      hint_ = context.tr("Drag moves the paper   the wheel zooms");
-  } else if (dragging()) {
+  if (dragging())
     hint_ = context.tr("Release to put the piece here   Esc puts it back");
-  }
+  else if (hovered)
+    hint_ = context.tr(hint_over(layout.unfolding, state.hovered));
   menu(context);
 }
 
@@ -231,7 +216,7 @@ PaperHover PaperPanel::under(const PaperLayout& layout, const Vector2& pixel, do
     for (Index side = 0; side < 3; ++side) {
       const Index edge = u.graph->edge_at(facet.facet, side);
       if (u.graph->edge(edge).border() || u.graph->edge(edge).inner) continue;
-      const double distance = distance_to(facet.corners[side], facet.corners[(side + 1) % 3], p);
+      const double distance = foot_on_segment(facet.corners[side], facet.corners[(side + 1) % 3], p).distance;
       if (distance >= nearest) continue;
       nearest = distance;
       out.edge = edge;
@@ -344,21 +329,17 @@ void PaperPanel::click(Editor& editor, const PaperHover& on) {
 }
 
 void PaperPanel::menu(PanelContext& context) {
-  if (!ImGui::BeginPopup("##paper_menu")) return;
+  const OpenScope opened = popup_scope("##paper_menu");
+  if (!opened) return;
   const auto& joints = context.editor.paper.layout->unfolding.joints;
   if (menu_on_.joint < joints.size()) {
-    if (ImGui::MenuItem(context.tr("Tab on the other side"))) flip_tab(context.editor, menu_on_.joint);
-    context.marks.item("paper.menu.flip");
-    if (ImGui::MenuItem(context.tr("Strip instead of a tab"))) use_strip(context.editor, menu_on_.joint);
-    context.marks.item("paper.menu.strip");
+    if (menu_row(context.marks, "paper.menu.flip", context.tr("Tab on the other side")))
+      flip_tab(context.editor, menu_on_.joint);
+    if (menu_row(context.marks, "paper.menu.strip", context.tr("Strip instead of a tab")))
+      use_strip(context.editor, menu_on_.joint);
     ImGui::Separator();
   }
-  for (const char* id : {"paper.straighten", "paper.turn", "paper.split_to_fit"}) {
-    const Command& command = *context.commands.find(id);
-    if (ImGui::MenuItem(context.tr(command.label).c_str(), command.keys.c_str())) context.run(id);
-    context.marks.item(std::string("paper.menu.") + id);
-  }
-  ImGui::EndPopup();
+  draw_menu_items(context, {"paper.straighten", "paper.turn", "paper.split_to_fit"}, "paper.menu.");
 }
 
 void PaperPanel::say(PanelContext& context, const PaperLayout& layout, const PanelRect& rect) const {
@@ -386,22 +367,17 @@ void PaperPanel::say(PanelContext& context, const PaperLayout& layout, const Pan
 void PaperPanel::fold_bar(PanelContext& context, const PanelRect& rect) {
   PaperState& state = context.editor.paper;
   const Metrics& m = context.metrics;
-  ImGui::AlignTextToFramePadding();
-  ImGui::TextUnformatted(context.tr("Flat"));
+  aligned_text(context.tr("Flat"));
   ImGui::SameLine();
-  ImGui::SetNextItemWidth(std::max(m.px(80), rect.width() - m.px(300)));
-  ImGui::SliderFloat("##folded", &state.folded, 0, 1, "", ImGuiSliderFlags_NoInput);
-  context.marks.item("paper.fold");
+  track_slider(context.marks, "paper.fold", std::max(m.px(80), rect.width() - m.px(300)), 1.0F, state.folded);
   if (ImGui::IsItemActive()) state.in_space = true;
   if (ImGui::IsItemHovered())
     show_tip(context.tr("Folds the pages up to the solid, in the view of the model"));
   ImGui::SameLine();
-  ImGui::TextUnformatted(context.tr("Solid"));
+  plain_text(context.tr("Solid"));
   ImGui::SameLine();
-  ImGui::Checkbox((std::string(context.tr("paper in the view")) + "##in_space").c_str(), &state.in_space);
-  context.marks.item("paper.in_space");
-  if (ImGui::IsItemHovered())
-    show_tip(context.tr("The view of the model shows the paper instead of the objects"));
+  option_check(context, "paper.in_space", "paper in the view",
+               "The view of the model shows the paper instead of the objects", state.in_space);
 }
 
 /// Places for tests and guides: middles of folds, cuts, tabs and pieces, on models that are small enough.

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "ui/paper/paper_drawing.hpp"
+#include "ui/widgets/panels.hpp"
 
 namespace hariko {
 
@@ -16,7 +17,7 @@ class PaperPanel {
   bool dragging() const { return drag_.has_value() && drag_->moved; }
   /// Puts the piece back. False when none was in the hand.
   bool cancel_drag(Editor& editor);
-  /// What a click would do here; empty where the pointer is elsewhere.
+  /// Hint of what a click would do here; empty where the pointer is elsewhere.
   const std::string& hint() const { return hint_; }
 
  private:
@@ -25,8 +26,8 @@ class PaperPanel {
     Grip grip = Grip::paper;
     Index piece = no_index;
     Vector2 from = Vector2::Zero();    ///< pixels
-    Vector2 corner = Vector2::Zero();  ///< of the table, at the press
-    Index page = 0;                    ///< of the piece, at the press
+    Vector2 corner = Vector2::Zero();  ///< corner of the table, at the press
+    Index page = 0;                    ///< page of the piece, at the press
     PaperHover under;
     bool moved = false;
   };
@@ -52,7 +53,10 @@ class PaperPanel {
   PaperHover menu_on_;
   Vector2 dragged_to_ = Vector2::Constant(-1);
   std::string hint_;
-  bool pointer_here_ = false;  ///< what is hovered is hovered here
+  bool pointer_here_ = false;  ///< the hovered part is hovered here
 };
+
+/// Rows of the properties panel: numbers, size, page, folds; what is wrong, with what can be done.
+void draw_paper_properties(PanelContext& context);
 
 }  // namespace hariko

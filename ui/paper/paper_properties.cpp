@@ -1,17 +1,17 @@
 // Part of the properties: the settings of the paper model and what it came to.
 
-#include "ui/paper/paper_properties.hpp"
+#include "ui/paper/paper_panel.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
 
 #include "core/unfolding/cut_large_faces.hpp"
-#include "ui/base/text_lines.hpp"
 #include "ui/editor/object_size.hpp"
 #include "ui/editor/paper_edits.hpp"
-#include "ui/widgets/enum_labels.hpp"
-#include "ui/widgets/value_fields.hpp"
+#include "ui/widgets/binding.hpp"
+#include "ui/widgets/items.hpp"
 
 namespace hariko {
 
@@ -49,56 +49,20 @@ constexpr std::array side_choices{
     Choice{"Inside", "What is printed is hidden: mirrored, mountains and valleys swapped"},
 };
 
-Quantity millimetres(double low, double high, double standard) {
-  Quantity quantity = length_quantity(Unit::millimetre, 100);
-  quantity.decimals = 1;
-  quantity.step = 1;
-  quantity.low = low;
-  quantity.high = high;
-  quantity.standard = standard;
-  return quantity;
-}
+using PaperRows = Binding<PaperModel>;
 
-Quantity degrees(double high, double standard) {
-  Quantity quantity = angle_quantity();
-  quantity.low = 0;
-  quantity.high = high;
-  quantity.standard = standard;
-  return quantity;
+constexpr PropertyRange millimetres(double low, double high, std::optional<double> standard) {
+  return {.low = low, .high = high, .standard = standard, .unit = PropertyUnit::millimetres};
 }
-
-/// A number of the paper model.
-template <class Get>
-void number_row(PanelContext& context, const FieldSpec& spec, Get get) {
-  PaperModel now = paper_choices_of(context.editor.document());
-  value_row(context, spec, get(now),
-            [quantity = spec.quantity, get](const Document& document, const ValueChange& change) {
-              return Result<Document>(with_paper_settings(
-                  document, [&](PaperModel& paper) { get(paper) = change.apply(quantity, get(paper)); }));
-            });
-}
-
-/// The same, stored in radians.
-template <class Get>
-void angle_row(PanelContext& context, const FieldSpec& spec, Get get) {
-  PaperModel now = paper_choices_of(context.editor.document());
-  value_row(context, spec, get(now) * to_degrees,
-            [quantity = spec.quantity, get](const Document& document, const ValueChange& change) {
-              return Result<Document>(with_paper_settings(document, [&](PaperModel& paper) {
-                get(paper) = change.apply(quantity, get(paper) * to_degrees) / to_degrees;
-              }));
-            });
-}
-
-void set(PanelContext& context, const char* step, const std::function<void(PaperModel&)>& change) {
-  context.editor.commit(with_paper_settings(context.editor.history.current(), change), step);
+constexpr PropertyRange degrees(double high, double standard) {
+  return {.low = 0, .high = high, .standard = standard, .unit = PropertyUnit::degrees};
 }
 
 /// Width, depth and height of the surfaces that are unfolded, in mm: changing one scales all. The facets lie
 /// within the tolerance of the surfaces, so unfolding leaves the numbers as they are.
-void size_rows(PanelContext& context) {
+void size_rows(PanelContext& context, const PaperRows& rows, const PaperModel& now) {
   Box3 box;
-  for (const ObjectId id : paper_choices_of(context.editor.document()).objects)
+  for (const ObjectId id : now.objects)
     if (const Object* object = context.editor.document().find(id))
       box.extend(shown_box(context.editor, *object));
   if (box.isEmpty()) return;
@@ -111,150 +75,110 @@ void size_rows(PanelContext& context) {
         Row{"paper_height", translatable("Height"), 2}}) {
     const double extent = box.sizes()[row.axis];
     if (!(extent > 1e-9 * box.sizes().maxCoeff())) continue;
-    Quantity quantity = millimetres(1, 5000, 0);
-    quantity.standard.reset();
-    value_row(context,
-              {row.id, row.label, translatable("Of the finished model"),
-               translatable("Size of the paper model"), quantity},
-              extent * paper_choices_of(context.editor.document()).settings.scale,
-              [quantity, extent](const Document& document, const ValueChange& change) {
-                return Result<Document>(with_paper_settings(document, [&](PaperModel& paper) {
-                  paper.settings.scale = change.apply(quantity, extent * paper.settings.scale) / extent;
-                }));
-              });
+    rows.row(
+        {row.id, row.label, "Of the finished model", "Size of the paper model", millimetres(1, 5000, {})},
+        [extent](const PaperModel& paper) { return extent * paper.settings.scale; },
+        [extent](PaperModel& paper, double size) { paper.settings.scale = size / extent; });
   }
 }
 
-void page_rows(PanelContext& context) {
-  const PaperSettings settings = paper_choices_of(context.editor.document()).settings;
+constexpr std::array page_properties{
+    member_property<&PaperModel::settings, &PaperSettings::page, &PaperSize::width>(
+        {"page_width", "Page width", "", "Page size", millimetres(30, 5000, 210)}),
+    member_property<&PaperModel::settings, &PaperSettings::page, &PaperSize::height>(
+        {"page_height", "Page height", "", "Page size", millimetres(30, 5000, 297)}),
+};
+constexpr std::array piece_properties{
+    member_property<&PaperModel::settings, &PaperSettings::tab_height>(
+        {"paper_tab", "Tabs", "Height of glue tabs where there is room", "Height of tabs",
+         millimetres(1, 20, 5)}),
+    member_property<&PaperModel::settings, &PaperSettings::least_tab>(
+        {"paper_least_tab", "Least tab", "Where there is no room for a tab of this height there is a strip",
+         "Least height of tabs", millimetres(0, 20, 2)}),
+    member_property<&PaperModel::settings, &PaperSettings::strip_width>(
+        {"paper_strip", "Strips", "Width of joint strips, where a slit has no room for tabs",
+         "Width of strips", millimetres(2, 60, 8)}),
+    member_property<&PaperModel::settings, &PaperSettings::gap>(
+        {"paper_gap", "Gap", "Between the pieces on a page", "Gap between pieces", millimetres(0, 50, 2)}),
+};
+
+void page_rows(PanelContext& context, const PaperRows& rows, const PaperSize& page) {
   int current = static_cast<int>(pages.size());
   for (std::size_t i = 0; i < pages.size(); ++i)
-    if (pages[i].size == settings.page) current = static_cast<int>(i);
+    if (pages[i].size == page) current = static_cast<int>(i);
   if (const auto chosen =
           choose(context, "paper_page", "Page", "The paper that is printed on", page_choices, current);
       chosen && static_cast<std::size_t>(*chosen) < pages.size())
-    set(context, "Page size",
-        [&](PaperModel& paper) { paper.settings.page = pages[static_cast<std::size_t>(*chosen)].size; });
-  number_row(
-      context,
-      {"page_width", translatable("Page width"), "", translatable("Page size"), millimetres(30, 5000, 210)},
-      [](PaperModel& paper) -> double& { return paper.settings.page.width; });
-  number_row(
-      context,
-      {"page_height", translatable("Page height"), "", translatable("Page size"), millimetres(30, 5000, 297)},
-      [](PaperModel& paper) -> double& { return paper.settings.page.height; });
-  const double most = std::min(settings.page.width, settings.page.height) / 2 - 10;
-  number_row(context,
-             {"paper_margin", translatable("Margin"), translatable("Free of pieces, round each page"),
-              translatable("Margin of pages"), millimetres(0, std::max(0.0, most), 10)},
-             [](PaperModel& paper) -> double& { return paper.settings.margin; });
-  number_row(context,
-             {"paper_tab", translatable("Tabs"), translatable("Height of glue tabs where there is room"),
-              translatable("Height of tabs"), millimetres(1, 20, 5)},
-             [](PaperModel& paper) -> double& { return paper.settings.tab_height; });
-  number_row(context,
-             {"paper_least_tab", translatable("Least tab"),
-              translatable("Where there is no room for a tab of this height there is a strip"),
-              translatable("Least height of tabs"), millimetres(0, 20, 2)},
-             [](PaperModel& paper) -> double& { return paper.settings.least_tab; });
-  number_row(context,
-             {"paper_strip", translatable("Strips"),
-              translatable("Width of joint strips, where a slit has no room for tabs"),
-              translatable("Width of strips"), millimetres(2, 60, 8)},
-             [](PaperModel& paper) -> double& { return paper.settings.strip_width; });
-  number_row(context,
-             {"paper_gap", translatable("Gap"), translatable("Between the pieces on a page"),
-              translatable("Gap between pieces"), millimetres(0, 50, 2)},
-             [](PaperModel& paper) -> double& { return paper.settings.gap; });
+    rows.commit("Page size", [&](PaperModel& paper) {
+      paper.settings.page = pages[static_cast<std::size_t>(*chosen)].size;
+    });
+  rows.rows(page_properties);
+  const double most = std::min(page.width, page.height) / 2 - 10;
+  rows.row(member_property<&PaperModel::settings, &PaperSettings::margin>(
+      {"paper_margin", "Margin", "Free of pieces, round each page", "Margin of pages",
+       millimetres(0, std::max(0.0, most), 10)}));
+  rows.rows(piece_properties);
 }
 
-/// How many facets there are. Asking for another number changes the tolerance: facets become fewer about as
-/// it grows.
-void count_row(PanelContext& context, const PaperModel& now) {
+/// Number of facets. Asking for another number changes the tolerance: facets become fewer about as it grows.
+void count_row(PanelContext& context, const PaperRows& rows, double distance) {
   const auto& mesh = context.editor.paper.mesh;
   const double count = mesh ? static_cast<double>(mesh->whole->mesh.face_count()) : 0;
   if (!(count > 0)) return;
-  constexpr int least = 10, most = 5000, usual = 100;
-  const Quantity quantity = whole_quantity(least, most, usual);
-  slider_row(
-      context,
-      {"paper_count", translatable("How many"),
-       translatable("Facets of the paper model: fewer are quicker to build, more are nearer to the surface"),
-       translatable("Tolerance of the paper model"), quantity},
-      least, most, true, count,
-      [quantity, count, distance = now.distance](const Document& document, const ValueChange& change) {
-        return Result<Document>(with_paper_settings(document, [&](PaperModel& paper) {
-          paper.distance = distance * count / change.apply(quantity, count);
-        }));
-      });
+  rows.row(
+      {"paper_count", "How many",
+       "Facets of the paper model: fewer are quicker to build, more are nearer to the surface",
+       "Tolerance of the paper model", whole_range(10, 5000, 100, SliderKind::logarithmic)},
+      [count](const PaperModel&) { return count; },
+      [count, distance](PaperModel& paper, double wanted) { paper.distance = distance * count / wanted; });
 }
 
-void facet_rows(PanelContext& context) {
-  const PaperModel now = paper_choices_of(context.editor.document());
-  if (const auto chosen = choose(context, "paper_facets", "Facets", "What is cut and folded", facet_choices,
-                                 now.of_polyhedra ? 1 : 0))
-    set(context, "Facets of the paper model", [&](PaperModel& paper) { paper.of_polyhedra = *chosen == 1; });
+void facet_rows(PanelContext& context, const PaperRows& rows, const PaperModel& now) {
+  rows.row(
+      list_row("paper_facets", "Facets", "What is cut and folded", "Facets of the paper model",
+               facet_choices),
+      [](const PaperModel& paper) { return paper.of_polyhedra ? 1.0 : 0.0; },
+      [](PaperModel& paper, double chosen) { paper.of_polyhedra = chosen != 0; });
   if (now.of_polyhedra) return;
-  count_row(context, now);
-  Quantity length = length_quantity(context.editor.document().unit, now.distance);
-  length.low = 1e-6 * now.distance;
-  length.multiplies = true;
-  number_row(context,
-             {"paper_distance", translatable("Tolerance"),
-              translatable("The farthest that the paper may be from the surface"),
-              translatable("Tolerance of the paper model"), length},
-             [](PaperModel& paper) -> double& { return paper.distance; });
+  count_row(context, rows, now.distance);
+  PropertyRange tolerances = lengths_from(1e-6 * now.distance);
+  tolerances.multiplies = true;
+  rows.row(member_property<&PaperModel::distance>({"paper_distance", "Tolerance",
+                                                   "The farthest that the paper may be from the surface",
+                                                   "Tolerance of the paper model", tolerances}));
 }
 
-/// Facets that are one polygon: an angle, or nothing at 0.
-void merge_row(PanelContext& context) {
-  const auto angle = [](const PaperModel& paper) {
-    return paper.settings.merge_angle.value_or(0) * to_degrees;
-  };
-  const Quantity quantity = degrees(30, 0);
-  value_row(context,
-            {"paper_merge", translatable("Merge below"),
-             translatable("Facets whose fold is smaller become one polygon, which is never cut. 0: none"),
-             translatable("Merged facets"), quantity},
-            angle(paper_choices_of(context.editor.document())),
-            [quantity, angle](const Document& document, const ValueChange& change) {
-              return Result<Document>(with_paper_settings(document, [&](PaperModel& paper) {
-                const double chosen = change.apply(quantity, angle(paper)) / to_degrees;
-                paper.settings.merge_angle = chosen > 0 ? std::optional(chosen) : std::nullopt;
-              }));
-            });
-}
+/// Angles of folds are in radians there, and none is an angle of 0.
+constexpr std::array fold_properties{
+    Property<PaperModel>{
+        {"paper_flat", "Flat below", "Folds of a smaller angle have no line", "Flat folds", degrees(90, 0.5)},
+        [](const PaperModel& paper) { return paper.settings.flat_fold * to_degrees; },
+        [](PaperModel& paper, double angle) { paper.settings.flat_fold = angle / to_degrees; }},
+    Property<PaperModel>{
+        {"paper_merge", "Merge below",
+         "Facets whose fold is smaller become one polygon, which is never cut. 0: none", "Merged facets",
+         degrees(30, 0)},
+        [](const PaperModel& paper) { return paper.settings.merge_angle.value_or(0) * to_degrees; },
+        [](PaperModel& paper, double angle) {
+          paper.settings.merge_angle = angle > 0 ? std::optional(angle / to_degrees) : std::nullopt;
+        }},
+    Property<PaperModel>{list_row("paper_side", "Print on the", "Which side of the paper is printed",
+                                  "Printed side", side_choices),
+                         [](const PaperModel& paper) { return paper.settings.inside ? 1.0 : 0.0; },
+                         [](PaperModel& paper, double side) { paper.settings.inside = side != 0; }},
+    member_property<&PaperModel::settings, &PaperSettings::fold_angles>(
+        {"paper_angles", "Fold angles", "Write the angle beside each fold, in degrees", "Fold angles"}),
+};
 
-/// How long cuts are looked for.
-void effort_row(PanelContext& context) {
-  Quantity quantity = whole_quantity(1000, 100'000'000, static_cast<int>(PaperModel().steps));
-  quantity.multiplies = true;
-  value_row(context,
-            {"paper_steps", translatable("Effort"),
-             translatable("Steps of the search for cuts: more may find fewer pieces, and take longer"),
-             translatable("Effort of the search"), quantity},
-            static_cast<double>(paper_choices_of(context.editor.document()).steps),
-            [quantity](const Document& document, const ValueChange& change) {
-              return Result<Document>(with_paper_settings(document, [&](PaperModel& paper) {
-                paper.steps =
-                    static_cast<std::uint64_t>(change.apply(quantity, static_cast<double>(paper.steps)));
-              }));
-            });
-}
-
-void fold_rows(PanelContext& context) {
-  angle_row(context,
-            {"paper_flat", translatable("Flat below"), translatable("Folds of a smaller angle have no line"),
-             translatable("Flat folds"), degrees(90, 0.5)},
-            [](PaperModel& paper) -> double& { return paper.settings.flat_fold; });
-  merge_row(context);
-  const PaperModel now = paper_choices_of(context.editor.document());
-  if (const auto chosen = choose(context, "paper_side", "Print on the", "Which side of the paper is printed",
-                                 side_choices, now.settings.inside ? 1 : 0))
-    set(context, "Printed side", [&](PaperModel& paper) { paper.settings.inside = *chosen == 1; });
-  if (const auto on = check_row(context, "paper_angles", "Fold angles",
-                                "Write the angle beside each fold, in degrees", now.settings.fold_angles))
-    set(context, "Fold angles", [&](PaperModel& paper) { paper.settings.fold_angles = *on; });
+/// Aim of the search for cuts, and for how long it goes on.
+void search_rows(const PaperRows& rows) {
+  rows.row(member_property<&PaperModel::goal>(
+      {"paper_goal", "Aim at", "What matters most when cuts are looked for", "Aim of the cuts"}));
+  PropertyRange steps = whole_range(1000, 1e8, static_cast<double>(PaperModel().steps));
+  steps.multiplies = true;
+  rows.row(member_property<&PaperModel::steps>(
+      {"paper_steps", "Effort", "Steps of the search for cuts: more may find fewer pieces, and take longer",
+       "Effort of the search", steps}));
 }
 
 void result_rows(PanelContext& context) {
@@ -278,47 +202,43 @@ void result_rows(PanelContext& context) {
   }
   if (!large && !cut) return;
   const double percent = std::floor(1000 * 0.998 * layout->fitting) / 10;
-  if (ImGui::Button(
-          (fill(tr("Scale to {0} %"), {format_quantity(plain_quantity(1, 1), percent)}) + "##fit").c_str(),
-          {-1, 0}))
+  if (text_button(context.marks, "paper.scale_to_fit",
+                  fill(tr("Scale to {0} %"), {format_quantity(plain_quantity(1, 1), percent)}), -1))
     context.run("paper.scale_to_fit");
-  context.marks.item("paper.scale_to_fit");
-  if (!large) return;
-  if (ImGui::Button(tr("Split what is too large"), {-1, 0})) context.run("paper.split_to_fit");
-  context.marks.item("paper.split_to_fit");
+  if (large && text_button(context.marks, "paper.split_to_fit", tr("Split what is too large"), -1))
+    context.run("paper.split_to_fit");
 }
 
 void fault_rows(PanelContext& context) {
   const auto& fault = context.editor.paper.fault;
   if (!fault) return;
   constexpr std::size_t most = 6;
-  for (std::size_t i = 0; i < std::min(most, fault->messages.size()); ++i) {
-    const TextColour red(palette().error);
-    text_in_lines(context.tr.text_of(fault->messages[i]));
-  }
-  if (const std::string remedy = context.tr.remedy_of(fault->messages.front()); !remedy.empty()) {
-    const TextColour dim(palette().dim_text);
-    text_in_lines(remedy);
-  }
+  for (std::size_t i = 0; i < std::min(most, fault->messages.size()); ++i)
+    coloured_lines(palette().error, context.tr.text_of(fault->messages[i]));
+  if (const std::string remedy = context.tr.remedy_of(fault->messages.front()); !remedy.empty())
+    coloured_lines(palette().dim_text, remedy);
 }
 
 }  // namespace
 
 void draw_paper_properties(PanelContext& context) {
+  const PaperModel now = paper_choices_of(context.editor.document());
+  const PaperRows rows(
+      context, {&now},
+      [](const Document& document, const PaperRows::Change& change) {
+        return Result<Document>(with_paper_settings(document, change));
+      },
+      now.distance);
   heading(context, "Paper model");
   result_rows(context);
   fault_rows(context);
-  size_rows(context);
-  facet_rows(context);
+  size_rows(context, rows, now);
+  facet_rows(context, rows, now);
   heading(context, "Pages");
-  page_rows(context);
+  page_rows(context, rows, now.settings.page);
   heading(context, "Cuts and folds");
-  const PaperModel now = paper_choices_of(context.editor.document());
-  if (const auto chosen = choose(context, "paper_goal", "Aim at",
-                                 "What matters most when cuts are looked for", std::optional(now.goal)))
-    set(context, "Aim of the cuts", [&](PaperModel& paper) { paper.goal = *chosen; });
-  effort_row(context);
-  fold_rows(context);
+  search_rows(rows);
+  rows.rows(fold_properties);
 }
 
 }  // namespace hariko

@@ -1,4 +1,4 @@
-#include "ui/pictures/picture_scale_tool.hpp"
+#include "ui/pictures/picture_rows.hpp"
 
 #include <GLFW/glfw3.h>
 
@@ -12,11 +12,9 @@ namespace hariko {
 
 namespace {
 
-class PictureScaleTool final : public Tool {
+class PictureScaleTool final : public ModalTool {
  public:
   explicit PictureScaleTool(ObjectId picture) : picture_(picture) {}
-
-  bool modal() const override { return true; }
 
   void begin(ToolContext& context, const PointerEvent& press) override {
     const auto lengths = length_units(context.editor.document().unit);
@@ -32,9 +30,8 @@ class PictureScaleTool final : public Tool {
     under_ = point_at(context, pointer_);
     if (event.kind != PointerEvent::Kind::press) return ToolState::stay;
     error_.clear();
-    if (!under_)
-      error_ = context.editor.language("Click a point of the picture.");
-    else if (!first_)
+    if (!under_) return refuse(context, "Click a point of the picture.");
+    if (!first_)
       first_ = under_;
     else if (*under_ != *first_)
       second_ = under_;
@@ -42,12 +39,10 @@ class PictureScaleTool final : public Tool {
   }
 
   std::optional<ToolState> key(ToolContext& context, const KeyPress& press) override {
-    const bool enter = press.chord.key == GLFW_KEY_ENTER || press.chord.key == GLFW_KEY_KP_ENTER;
+    const bool enter = press.chord.key == GLFW_KEY_ENTER;
     if (!second_) {
       if (enter) return ToolState::stay;
-      // Letters would run commands in the middle of the gesture.
-      if (press.chord.control || press.chord.alt || press.text == 0) return std::nullopt;
-      return ToolState::stay;
+      return unused_key(press);
     }
     if (enter) return confirm(context);
     if (input_.key(press)) {
@@ -58,8 +53,6 @@ class PictureScaleTool final : public Tool {
     if (press.chord.control || press.chord.alt || (press.text == 0 && second_)) return std::nullopt;
     return ToolState::stay;
   }
-
-  void cancel(ToolContext& context) override { context.editor.cancel_preview(); }
 
   void draw(const ToolContext& context, const ToolOverlay& overlay) const override {
     const Projector projector = context.projector();
@@ -124,10 +117,7 @@ class PictureScaleTool final : public Tool {
   }
 
   ToolState confirm(ToolContext& context) {
-    if (!input_.active()) {
-      error_ = context.editor.language("Type the distance of the two points.");
-      return ToolState::stay;
-    }
+    if (!input_.active()) return refuse(context, "Type the distance of the two points.");
     show(context, true);
     if (!error_.empty()) return ToolState::stay;
     if (!context.editor.commit_preview(translatable("Scale picture"))) {
@@ -149,10 +139,8 @@ class PictureScaleTool final : public Tool {
 
   ObjectId picture_;
   NumericInput input_;
-  Vector2 pointer_ = Vector2::Zero();              ///< framebuffer pixels
   std::optional<Vector3> under_, first_, second_;  ///< in the document's space, before scaling
-  std::optional<double> shown_length_;             ///< that the preview has
-  std::string error_;
+  std::optional<double> shown_length_;             ///< length that the preview has
 };
 
 }  // namespace

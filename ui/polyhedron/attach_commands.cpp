@@ -3,8 +3,10 @@
 #include <algorithm>
 
 #include "core/document/edits/edits.hpp"
+#include "core/modeling/objects/patch_objects.hpp"
 #include "core/patching/joins/join.hpp"
 #include "ui/editor/command_host.hpp"
+#include "ui/view/transform_target.hpp"
 
 namespace hariko {
 
@@ -66,23 +68,22 @@ void attach(Editor& editor) {
 }
 
 WhyNot needs_border_edges(const Editor& editor) {
-  return [&editor]() -> Reason {
-    if (auto reason = needs_document(editor)()) return reason;
-    bool any_polyhedron = false;
-    for (const auto& [id, elements] : editor.selection.elements())
-      if (const Object* object = editor.document().find(id); object && object->polyhedron())
-        any_polyhedron = any_polyhedron || !elements.edges.empty();
-    if (!any_polyhedron) return translatable("No edges are selected. Press 2 and click one.");
-    return {};
-  };
+  return only_if(
+      needs_document(editor),
+      [&editor] {
+        return std::ranges::any_of(editor.selection.elements(), [&](const auto& chosen) {
+          const Object* object = editor.document().find(chosen.first);
+          return object && object->polyhedron() && !chosen.second.edges.empty();
+        });
+      },
+      translatable("No edges are selected. Press 2 and click one."));
 }
 
 WhyNot needs_side(const Editor& editor) {
-  return [&editor]() -> Reason {
-    if (auto reason = needs_border_edges(editor)()) return reason;
-    const auto& objects = editor.document().objects;
-    if (std::none_of(objects.begin(), objects.end(),
-                     [](const auto& object) { return object->patches() && object->visible; }))
+  return [&editor, edges = needs_border_edges(editor)]() -> Reason {
+    if (auto reason = edges()) return reason;
+    if (std::ranges::none_of(editor.document().objects,
+                             [](const auto& object) { return object->patches() && object->visible; }))
       return translatable("There is no patch object to attach to. Add one, or show it.");
     const Object* active = editor.active_object();
     if (active && active->polyhedron() && border_edges(editor).empty())
@@ -123,36 +124,86 @@ void adapt_patch(Editor& editor) {
 
 void add_attach_commands(CommandHost& host) {
   Editor& editor = host.editor;
-  host.table.add(
-      {.id = "shape.attach",
-       .menu = "Shape",
-       .label = "Attach to patch side",
-       .help = "Join the selected border edges to the nearest sides of patch objects, or to the side that is "
-               "selected too.",
-       .changes_document = true,
-       .separator_before = true,
-       .run = [&editor] { attach(editor); },
-       .why_not = needs_side(editor)});
-  host.table.add({.id = "shape.release_edges",
-                  .menu = "Shape",
-                  .label = "Release attached edges",
-                  .help = "The selected border edges follow their patches no more.",
-                  .changes_document = true,
-                  .run = [&editor] { release_chosen_edges(editor); },
-                  .why_not = only_if(
-                      needs_border_edges(editor), [&editor] { return attached_edge_chosen(editor); },
-                      translatable("None of the selected edges is attached."))});
-  host.table.add(
-      {.id = "shape.adapt_patch",
-       .menu = "Shape",
-       .label = "Let the patch adapt",
-       .help = "Where joined patches do not fit each other, one of them follows the surface instead.",
-       .changes_document = true,
-       .run = [&editor] { adapt_patch(editor); },
-       .why_not = only_if(
-           needs_polyhedron(editor), [&editor] { return misfit(editor).has_value(); },
-           translatable("The joined patches fit each other.")),
-       .script = {.looks_at_surfaces = true}});
+  MenuRows rows(host.table, "Shape");
+  rows.add_edit(
+      "shape.attach", "Attach to patch side",
+      "Join the selected border edges to the nearest sides of patch objects, or to the side that is "
+      "selected too.",
+      [&editor] { attach(editor); }, needs_side(editor), {.separator_before = true});
+  rows.add_edit(
+      "shape.release_edges", "Release attached edges",
+      "The selected border edges follow their patches no more.", [&editor] { release_chosen_edges(editor); },
+      only_if(
+          needs_border_edges(editor), [&editor] { return attached_edge_chosen(editor); },
+          translatable("None of the selected edges is attached.")));
+  rows.add_edit("shape.adapt_patch", "Let the patch adapt",
+                "Where joined patches do not fit each other, one of them follows the surface instead.",
+                [&editor] { adapt_patch(editor); },
+                only_if(
+                    needs_polyhedron(editor), [&editor] { return misfit(editor).has_value(); },
+                    translatable("The joined patches fit each other.")),
+                {.script = {.looks_at_surfaces = true}});
+}
+
+// Commands that take objects of patches apart and put them together.
+
+namespace {
+
+void select(Editor& editor, std::span<const ObjectId> objects) {
+  editor.selection.clear_elements();
+  editor.selection.active = objects[0];
+  if (editor.mode != ElementMode::object) return;
+  editor.selection.clear_objects();
+  for (const ObjectId id : objects) editor.selection.select({id, element_of(id)}, Selection::How::add);
+  editor.selection.active = objects[0];
+}
+
+void separate(Editor& editor) {
+  const auto done = separate_patches(editor.history.current(), editor.selection.active);
+  if (!done) return editor.notify(done.error());
+  if (editor.commit(Result<Document>(done->document), translatable("Separate patches")))
+    select(editor, done->objects);
+}
+
+bool has_several_patches(const Editor& editor) {
+  const BezierSource* bezier = editor.active_object()->bezier();
+  return bezier && bezier->patches->size() > 1;
+}
+
+void weld(Editor& editor) {
+  const auto done = weld_patch_objects(editor.history.current(), active_and_selected(editor));
+  if (!done) return editor.notify(done.error());
+  if (editor.commit(Result<Document>(done->document), translatable("Weld patches")))
+    select(editor, std::span(&done->object, 1));
+}
+
+}  // namespace
+
+void add_patch_commands(CommandHost& host) {
+  Editor& editor = host.editor;
+  const WhyNot object = needs_object(editor);
+  MenuRows rows(host.table, "Shape");
+  rows.add_edit(
+      "shape.weld_patches", "Weld patches",
+      "Make one surface of the chosen objects of patches: sides that are equal are joined.",
+      [&editor] { weld(editor); },
+      [&editor, object]() -> Reason {
+        if (auto reason = object()) return reason;
+        const Object& active = *editor.active_object();
+        if (!active.patches() && !active.bezier())
+          return translatable("The active object is not made of patches.");
+        if (selected_objects(editor).size() > 1) return {};
+        return translatable("Choose two or more objects. Press 4 and click them with Shift.");
+      },
+      {.separator_before = true});
+  rows.add_edit(
+      "shape.separate_patches", "Separate patches",
+      "Each patch becomes an object; the control points of those of degree 3 by 3 without weights can then "
+      "be edited, and edges attached to their sides.",
+      [&editor] { separate(editor); },
+      only_if(
+          object, [&editor] { return has_several_patches(editor); },
+          translatable("The active object does not have several welded patches.")));
 }
 
 }  // namespace hariko

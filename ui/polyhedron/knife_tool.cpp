@@ -1,17 +1,14 @@
-#include "ui/polyhedron/knife_tool.hpp"
+#include "ui/polyhedron/cutting_tools.hpp"
 
 #include <GLFW/glfw3.h>
 
-#include <algorithm>
-#include <cmath>
 #include <vector>
 
 #include "core/modeling/cuts/knife_path.hpp"
 #include "core/modeling/objects/edit_modeling.hpp"
 #include "ui/editor/operations.hpp"
-#include "ui/polyhedron/refine_position.hpp"
+#include "ui/polyhedron/refined_lines.hpp"
 #include "ui/view/overlay_drawing.hpp"
-#include "ui/view/refined_lines.hpp"
 
 namespace hariko {
 
@@ -25,7 +22,7 @@ struct Place {
   enum class Kind { vertex, edge, middle, point };
   Kind kind = Kind::vertex;
   CutPoint point;
-  std::optional<Vector3> shown = std::nullopt;  ///< where the pointer is on what is shown of the edge
+  std::optional<Vector3> shown = std::nullopt;  ///< point under the pointer on what is shown of the edge
 };
 
 bool same(const CutPoint& a, const CutPoint& b) {
@@ -35,10 +32,8 @@ bool same(const CutPoint& a, const CutPoint& b) {
   return p.edge == q.edge && p.share == q.share;
 }
 
-class KnifeTool final : public Tool {
+class KnifeTool final : public ModalTool {
  public:
-  bool modal() const override { return true; }
-
   void begin(ToolContext& context, const PointerEvent& press) override {
     pointer_ = press.pixel;
     lines_.on_surface = context.editor.settings.refine_on_surface;
@@ -55,8 +50,7 @@ class KnifeTool final : public Tool {
 
   std::optional<ToolState> key(ToolContext& context, const KeyPress& press) override {
     const KeyChord& chord = press.chord;
-    if (chord.key == GLFW_KEY_ENTER || chord.key == GLFW_KEY_KP_ENTER || chord.key == GLFW_KEY_SPACE)
-      return confirm(context);
+    if (chord.key == GLFW_KEY_ENTER || chord.key == GLFW_KEY_SPACE) return confirm(context);
     if (chord.key == GLFW_KEY_BACKSPACE) {
       if (!legs_.empty()) legs_.pop_back();
       lay_lines(context);
@@ -70,8 +64,7 @@ class KnifeTool final : public Tool {
       look(context, false);
       return ToolState::stay;
     }
-    if (chord.control || chord.alt || press.text == 0) return std::nullopt;
-    return ToolState::stay;
+    return unused_key(press);
   }
 
   void cancel(ToolContext&) override {}
@@ -99,7 +92,7 @@ class KnifeTool final : public Tool {
   }
 
  private:
-  /// What one click added: the points that the line passes, and its end.
+  /// Leg of the path that one click added: the points that the line passes, and its end.
   using Leg = std::vector<CutPoint>;
   /// A part of the path as it will lie, in the document's space.
   struct Laid {
@@ -197,10 +190,7 @@ class KnifeTool final : public Tool {
         camera.orthographic ? camera.forward().cross(b - a) : (a - camera.eye()).cross(b - camera.eye());
     auto between =
         knife_path(source.polyhedron, from, place_->point, object.transform.rotation.conjugate() * normal);
-    if (!between) {
-      error_ = context.editor.language.text_of(between.error());
-      return;
-    }
+    if (!between) return void(refuse(context, between.error()));
     ahead_ = std::move(between).value();
     if (lines_.on_surface) cross_curves(context, object, from);
     ahead_.push_back(place_->point);
@@ -222,10 +212,7 @@ class KnifeTool final : public Tool {
   }
 
   void put(const ToolContext& context) {
-    if (!place_) {
-      error_ = context.editor.language("Click a vertex or an edge.");
-      return;
-    }
+    if (!place_) return void(refuse(context, "Click a vertex or an edge."));
     if (!error_.empty()) return;
     if (legs_.empty()) {
       legs_.push_back({place_->point});
@@ -235,10 +222,7 @@ class KnifeTool final : public Tool {
     std::vector<CutPoint> longer = path();
     longer.insert(longer.end(), ahead_.begin(), ahead_.end());
     const auto done = cut(context, longer, nullptr);
-    if (!done) {
-      error_ = context.editor.language.text_of(done.error());
-      return;
-    }
+    if (!done) return void(refuse(context, done.error()));
     legs_.push_back(ahead_);
     ahead_.clear();
     next_ = {};
@@ -259,10 +243,7 @@ class KnifeTool final : public Tool {
     Editor& editor = context.editor;
     FormToKeep kept;
     const auto done = cut(context, path(), &kept);
-    if (!done) {
-      error_ = editor.language.text_of(done.error());
-      return ToolState::stay;
-    }
+    if (!done) return refuse(context, done.error());
     if (!editor.commit(done->document, translatable("Knife"))) return ToolState::cancel;
     select_result(editor, object_, done->selection);
     say_form_lost(editor, kept.lost);
@@ -272,12 +253,7 @@ class KnifeTool final : public Tool {
   static void draw_line(const ToolContext& context, const ToolOverlay& overlay, const Laid& laid, bool made) {
     const Projector projector = context.projector();
     const float half = overlay.metrics.px(3);
-    for (std::size_t i = 0; i + 1 < laid.line.size(); ++i) {
-      const auto a = projector.project(laid.line[i]), b = projector.project(laid.line[i + 1]);
-      if (a && b)
-        overlay.list.AddLine(on_screen(overlay, a->head<2>()), on_screen(overlay, b->head<2>()),
-                             palette().hot, overlay.metrics.px(made ? 2.0F : 1.4F));
-    }
+    draw_polyline(overlay, projector, laid.line, palette().hot, made ? 2.0F : 1.4F);
     for (const Vector3& point : laid.points)
       if (const auto at = projector.project(point)) {
         const ImVec2 p = on_screen(overlay, at->head<2>());
@@ -288,7 +264,8 @@ class KnifeTool final : public Tool {
       }
   }
 
-  /// What the point would snap to: a square round vertices and points, a triangle on middles, a circle else.
+  /// Mark of what the point would snap to: a square round vertices and points, a triangle on middles, a
+  /// circle else.
   void draw_place(const ToolContext& context, const ToolOverlay& overlay) const {
     const auto at = place_->shown ? context.projector().project(*place_->shown) : std::nullopt;
     if (!at) return;
@@ -310,8 +287,7 @@ class KnifeTool final : public Tool {
 
   std::string value_text(const Language& tr) const {
     std::string text = tr("Knife");
-    if (!legs_.empty())
-      text += "  " + fill(tr(legs_.size() == 1 ? "{0} point" : "{0} points"), {std::to_string(legs_.size())});
+    if (!legs_.empty()) text += "  " + tr.counted(legs_.size(), "1 point", "{0} points");
     if (!place_) return text;
     switch (place_->kind) {
       case Place::Kind::vertex:
@@ -327,13 +303,11 @@ class KnifeTool final : public Tool {
   }
 
   RefinedLines lines_;
-  Vector2 pointer_ = Vector2::Zero();
   ObjectId object_;        ///< the one that is cut, or was pointed at last
   std::vector<Leg> legs_;  ///< one for every click
   std::optional<Place> place_;
   std::vector<CutPoint> ahead_;  ///< from the last point to the place, without the former
   Laid made_, next_;             ///< the path, and the line from its end to the place
-  std::string error_;
 };
 
 }  // namespace

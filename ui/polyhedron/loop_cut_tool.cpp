@@ -1,4 +1,4 @@
-#include "ui/polyhedron/loop_cut_tool.hpp"
+#include "ui/polyhedron/cutting_tools.hpp"
 
 #include <GLFW/glfw3.h>
 
@@ -11,10 +11,9 @@
 #include "core/modeling/selection/edge_paths.hpp"
 #include "ui/editor/numeric_input.hpp"
 #include "ui/editor/operations.hpp"
-#include "ui/polyhedron/refine_position.hpp"
+#include "ui/polyhedron/refined_lines.hpp"
 #include "ui/view/overlay_drawing.hpp"
-#include "ui/view/pointing_tool.hpp"
-#include "ui/view/refined_lines.hpp"
+#include "ui/view/tool.hpp"
 
 namespace hariko {
 
@@ -39,7 +38,7 @@ class LoopCutTool final : public PointingTool {
   }
 
   std::optional<ToolState> key(ToolContext& context, const KeyPress& press) override {
-    if (press.chord.key == GLFW_KEY_ENTER || press.chord.key == GLFW_KEY_KP_ENTER) {
+    if (press.chord.key == GLFW_KEY_ENTER) {
       if (!sliding_ && !choose(context)) return ToolState::stay;
       return confirm(context);
     }
@@ -59,8 +58,7 @@ class LoopCutTool final : public PointingTool {
       sliding_ ? show(context) : find_cuts(context);
       return ToolState::stay;
     }
-    if (press.chord.control || press.chord.alt || press.text == 0) return std::nullopt;
-    return ToolState::stay;
+    return unused_key(press);
   }
 
   bool wheel(ToolContext& context, double steps, const PointerEvent&) override {
@@ -74,8 +72,6 @@ class LoopCutTool final : public PointingTool {
     lines_.on_surface = context.editor.settings.refine_on_surface;
     PointingTool::begin(context, press);
   }
-
-  void cancel(ToolContext& context) override { context.editor.cancel_preview(); }
 
   void draw(const ToolContext& context, const ToolOverlay& overlay) const override {
     if (!sliding_) draw_cuts(context, overlay);
@@ -168,8 +164,7 @@ class LoopCutTool final : public PointingTool {
   ToolState confirm(ToolContext& context) {
     if (!error_.empty()) return ToolState::stay;
     if (!context.editor.commit_preview(
-            options_.count == 1 ? translatable("Loop cut")
-                                : fill(translatable("{0} loop cuts"), {std::to_string(options_.count)})))
+            Phrase::counted(options_.count, translatable("Loop cut"), translatable("{0} loop cuts"))))
       return ToolState::cancel;
     tell(context.editor);
     select_result(context.editor, object_, result_);
@@ -200,13 +195,7 @@ class LoopCutTool final : public PointingTool {
 
   void draw_cuts(const ToolContext& context, const ToolOverlay& overlay) const {
     const Projector projector = context.projector();
-    for (const std::vector<Vector3>& line : cuts_)
-      for (std::size_t i = 0; i + 1 < line.size(); ++i) {
-        const auto a = projector.project(line[i]), b = projector.project(line[i + 1]);
-        if (a && b)
-          overlay.list.AddLine(on_screen(overlay, a->head<2>()), on_screen(overlay, b->head<2>()),
-                               palette().hot, overlay.metrics.px(2));
-      }
+    for (const std::vector<Vector3>& line : cuts_) draw_polyline(overlay, projector, line, palette().hot, 2);
   }
 
   std::string value_text(const Language& tr) const {
@@ -226,7 +215,6 @@ class LoopCutTool final : public PointingTool {
   std::vector<std::vector<Vector3>> cuts_;  ///< lines in space, before the click
   bool sliding_ = false;
   ElementSet result_;
-  std::string error_;
 };
 
 }  // namespace

@@ -1,7 +1,7 @@
 // Commands of the Mesh menu that tidy, connect, take apart and mirror what is there.
 
-#include <algorithm>
 #include <array>
+#include <utility>
 
 #include "core/document/edits/edit_solids.hpp"
 #include "core/document/edits/edits.hpp"
@@ -33,7 +33,7 @@ namespace {
 const std::string merge_menu = std::string("Mesh") + "/" + translatable("Merge");
 const std::string mirror_menu = std::string("Mesh") + "/" + translatable("Mirror");
 
-/// Of the live mirror's seam, and for merging by distance: this share of the object's size.
+/// Welding distance of the live mirror's seam, and for merging: this share of the object's size.
 constexpr double weld_share = 1e-3;
 
 /// The kind of elements that a command works on: the one that clicks take, if some of it are selected.
@@ -180,7 +180,7 @@ void toggle_mirror(Editor& editor, Axis axis) {
                   translatable("End live mirror"));
     return;
   }
-  // What lies behind the plane goes, so that the image takes its place. Another mirror's image stays.
+  // Faces behind the plane go, so that the image takes their place. Another mirror's image stays.
   const Mirror mirror{axis, weld_share * size_of(source)};
   std::optional<Message> lost;
   const auto half =
@@ -219,18 +219,12 @@ class MeshMenu {
   }
   void add(const char* id, const std::string& menu, const char* label, const char* help, const char* keys,
            WhyNot why_not, Context contexts, std::function<void()> run, std::function<bool()> checked = {}) {
-    host_.table.add({.id = id,
-                     .menu = menu,
-                     .label = label,
-                     .help = help,
-                     .keys = keys,
-                     .changes_document = true,
-                     .separator_before = separator_,
-                     .run = std::move(run),
-                     .why_not = std::move(why_not),
-                     .checked = std::move(checked),
-                     .contexts = contexts});
-    separator_ = false;
+    MenuRows(host_.table, menu)
+        .add_edit(id, label, help, std::move(run), std::move(why_not),
+                  {.keys = keys,
+                   .separator_before = std::exchange(separator_, false),
+                   .checked = std::move(checked),
+                   .contexts = contexts});
   }
   /// A command that is one operation on the active polyhedron and what is selected of it.
   template <class Operate>
@@ -344,10 +338,8 @@ void add_connecting(MeshMenu& menu, Editor& editor) {
                needs_polyhedron(editor), [&editor] { return selected_objects(editor).size() > 1; },
                translatable("Choose two or more objects. Press 4 and click them with Shift.")),
            Context::object, [&editor] {
-             std::vector<ObjectId> objects = selected_objects(editor);
-             const auto active = std::find(objects.begin(), objects.end(), editor.selection.active);
-             if (active != objects.end()) std::rotate(objects.begin(), active, active + 1);
-             editor.commit(join_objects(editor.history.current(), objects), translatable("Join objects"));
+             editor.commit(join_objects(editor.history.current(), active_and_selected(editor)),
+                           translatable("Join objects"));
            });
 }
 

@@ -1,6 +1,5 @@
 // Commands of the Mesh menu: operations that make new faces and edges of those that are selected.
 
-#include <algorithm>
 #include <limits>
 
 #include "core/modeling/cuts/cut.hpp"
@@ -14,9 +13,8 @@
 #include "ui/base/icons.hpp"
 #include "ui/editor/command_host.hpp"
 #include "ui/editor/operations.hpp"
-#include "ui/polyhedron/knife_tool.hpp"
-#include "ui/polyhedron/loop_cut_tool.hpp"
-#include "ui/view/amount_tool.hpp"
+#include "ui/polyhedron/amount_tool.hpp"
+#include "ui/polyhedron/cutting_tools.hpp"
 #include "ui/view/viewport.hpp"
 
 namespace hariko {
@@ -34,7 +32,7 @@ Vector3 middle_of_selection(const Editor& editor) {
   return object.transform.apply(source.origin + sum);
 }
 
-AmountOperation operation_on_selection(const Editor& editor, const char* name, std::string label) {
+AmountOperation operation_on_selection(const Editor& editor, const char* name, Phrase label) {
   AmountOperation operation;
   operation.object = editor.selection.active;
   operation.name = name;
@@ -96,8 +94,7 @@ AmountOperation extrusion(const Editor& editor, Grouping grouping) {
   }
   AmountOperation operation = operation_on_selection(
       editor, translatable("Extrude"),
-      faces.size() == 1 ? translatable("Extrude face")
-                        : fill(translatable("Extrude {0} faces"), {std::to_string(faces.size())}));
+      Phrase::counted(faces.size(), translatable("Extrude face"), translatable("Extrude {0} faces")));
   operation.axis = normal_of_selection(editor, faces);
   operation.negative = operation.grouped = true;
   operation.grouping = grouping;
@@ -107,19 +104,21 @@ AmountOperation extrusion(const Editor& editor, Grouping grouping) {
   return operation;
 }
 
+double limit_or_none(const Result<double>& limit) {
+  return limit ? *limit : std::numeric_limits<double>::infinity();
+}
+
 AmountOperation insetting(const Editor& editor) {
   const auto faces = list_of(editor.selection.of_active().faces);
   AmountOperation operation = operation_on_selection(
       editor, translatable("Inset"),
-      faces.size() == 1 ? translatable("Inset face")
-                        : fill(translatable("Inset {0} faces"), {std::to_string(faces.size())}));
+      Phrase::counted(faces.size(), translatable("Inset face"), translatable("Inset {0} faces")));
   operation.grouped = true;
   operation.apply = [faces](const PolyhedronSource& source, double amount, Grouping as) {
     return inset_faces(source, faces, {amount, InsetOptions::Measure::distance, as});
   };
   operation.limit = [faces](const PolyhedronSource& source, Grouping as) {
-    const auto limit = largest_inset(source, faces, as);
-    return limit ? *limit : std::numeric_limits<double>::infinity();
+    return limit_or_none(largest_inset(source, faces, as));
   };
   return operation;
 }
@@ -128,14 +127,12 @@ AmountOperation bevel_of_edges(const Editor& editor) {
   const auto edges = list_of(editor.selection.of_active().edges);
   AmountOperation operation = operation_on_selection(
       editor, translatable("Bevel"),
-      edges.size() == 1 ? translatable("Bevel edge")
-                        : fill(translatable("Bevel {0} edges"), {std::to_string(edges.size())}));
+      Phrase::counted(edges.size(), translatable("Bevel edge"), translatable("Bevel {0} edges")));
   operation.apply = [edges](const PolyhedronSource& source, double amount, Grouping) {
     return bevel_edges(source, edges, amount);
   };
   operation.limit = [edges](const PolyhedronSource& source, Grouping) {
-    const auto limit = largest_edge_bevel(source, edges);
-    return limit ? *limit : std::numeric_limits<double>::infinity();
+    return limit_or_none(largest_edge_bevel(source, edges));
   };
   return operation;
 }
@@ -145,22 +142,14 @@ AmountOperation bevel_of_vertices(const Editor& editor) {
   const auto vertices = list_of(editor.selection.of_active().vertices);
   AmountOperation operation = operation_on_selection(
       editor, translatable("Bevel"),
-      vertices.size() == 1 ? translatable("Bevel vertex")
-                           : fill(translatable("Bevel {0} vertices"), {std::to_string(vertices.size())}));
+      Phrase::counted(vertices.size(), translatable("Bevel vertex"), translatable("Bevel {0} vertices")));
   operation.apply = [vertices](const PolyhedronSource& source, double amount, Grouping) {
     return bevel_vertices(source, vertices, {amount, measure});
   };
   operation.limit = [vertices](const PolyhedronSource& source, Grouping) {
-    const auto limit = largest_vertex_bevel(source, vertices, measure);
-    return limit ? *limit : std::numeric_limits<double>::infinity();
+    return limit_or_none(largest_vertex_bevel(source, vertices, measure));
   };
   return operation;
-}
-
-void extrude(CommandHost& host, NeededElements kinds, Grouping grouping) {
-  start(host, kinds,
-        named(grouping == Grouping::region ? "mesh.extrude" : "mesh.extrude_each", "distance",
-              [grouping](const Editor& editor) { return extrusion(editor, grouping); }));
 }
 
 /// Makes the step at once, with an amount in the document's unit.
@@ -174,9 +163,8 @@ void make_amount(Editor& editor, const AmountOperation& operation, double amount
       operation.label);
 }
 
-ScriptUse amount_in_scripts(Editor& editor, const char* name, const char* help, BuildAmount build) {
-  return {.arguments = {length_argument(name, help, {})},
-          .run = [&editor, name, build = std::move(build)](const Arguments& given) {
+ScriptUse amount_in_scripts(Editor& editor, const ArgumentSpec& amount, const BuildAmount& build) {
+  return {.arguments = {amount}, .run = [&editor, name = amount.name, build](const Arguments& given) {
             make_amount(editor, build(editor), given.number(name));
           }};
 }
@@ -190,8 +178,7 @@ void cut_ring(Editor& editor, const LoopCutOptions& options) {
   run_refinement(
       editor,
       [&](const auto& source, const SurfaceForm* on) { return loop_cut(source, edges.front(), options, on); },
-      options.count == 1 ? translatable("Loop cut")
-                         : fill(translatable("{0} loop cuts"), {std::to_string(options.count)}));
+      Phrase::counted(options.count, translatable("Loop cut"), translatable("{0} loop cuts")));
 }
 
 void connect_selected(Editor& editor) {
@@ -226,145 +213,76 @@ void poke_selected(Editor& editor) {
 }
 
 void add_dragged(CommandHost& host) {
-  CommandTable& table = host.table;
   Editor& editor = host.editor;
-  table.add(
-      {.id = "mesh.extrude",
-       .menu = "Mesh",
-       .label = "Extrude",
-       .help = "Move the selected faces out and put walls round them, or continue the selected open edges.",
-       .keys = "E",
-       .icon = icon::extrude,
-       .changes_document = true,
-       .needs_window = true,
-       .run = [&host] { extrude(host, {.edges = true, .faces = true}, Grouping::region); },
-       .why_not = needs_elements(editor, {.edges = true, .faces = true}),
-       .contexts = Context::face | Context::edge,
-       .script = amount_in_scripts(editor, "distance", translatable("Distance"),
-                                   [](const Editor& of) { return extrusion(of, Grouping::region); })});
-  table.add({.id = "mesh.extrude_each",
-             .menu = "Mesh",
-             .label = "Extrude each face",
-             .help = "Move every selected face out by itself, along its own normal.",
-             .keys = "Shift+E",
-             .changes_document = true,
-             .needs_window = true,
-             .run = [&host] { extrude(host, {.faces = true}, Grouping::individual); },
-             .why_not = needs_elements(editor, {.faces = true}),
-             .contexts = Context::face,
-             .script = amount_in_scripts(editor, "distance", translatable("Distance"), [](const Editor& of) {
-               return extrusion(of, Grouping::individual);
-             })});
-  table.add({.id = "mesh.inset",
-             .menu = "Mesh",
-             .label = "Inset",
-             .help = "Put a band of even width inside the rim of the selected faces.",
-             .keys = "I",
-             .icon = icon::inset,
-             .changes_document = true,
-             .needs_window = true,
-             .run = [&host] { start(host, {.faces = true}, named("mesh.inset", "width", insetting)); },
-             .why_not = needs_elements(editor, {.faces = true}),
-             .contexts = Context::face,
-             .script = amount_in_scripts(editor, "width", translatable("Width"), insetting)});
-  table.add(
-      {.id = "mesh.bevel_edges",
-       .menu = "Mesh",
-       .label = "Bevel edges",
-       .help = "Turn the selected edges into flat bands.",
-       .keys = "Ctrl+B",
-       .icon = icon::bevel,
-       .changes_document = true,
-       .needs_window = true,
-       .run = [&host] { start(host, {.edges = true}, named("mesh.bevel_edges", "width", bevel_of_edges)); },
-       .why_not = needs_elements(editor, {.edges = true}),
-       .contexts = Context::edge,
-       .script = amount_in_scripts(editor, "width", translatable("Width"), bevel_of_edges)});
-  table.add({.id = "mesh.bevel_vertices",
-             .menu = "Mesh",
-             .label = "Bevel vertices",
-             .help = "Cut the selected corners off.",
-             .keys = "Ctrl+Shift+B",
-             .icon = icon::bevel,
-             .changes_document = true,
-             .needs_window = true,
-             .run =
-                 [&host] {
-                   start(host, {.vertices = true}, named("mesh.bevel_vertices", "width", bevel_of_vertices));
-                 },
-             .why_not = needs_elements(editor, {.vertices = true}),
-             .contexts = Context::vertex,
-             .script = amount_in_scripts(editor, "width", translatable("Width"), bevel_of_vertices)});
+  MenuRows rows(host.table, "Mesh");
+  const auto dragged = [&](const char* id, const char* label, const char* help, const ArgumentSpec& amount,
+                           NeededElements kinds, const BuildAmount& build, Command more) {
+    more.needs_window = true;
+    more.script = amount_in_scripts(editor, amount, build);
+    rows.add_edit(
+        id, label, help, [&host, kinds, of = named(id, amount.name, build)] { start(host, kinds, of); },
+        needs_elements(editor, kinds), std::move(more));
+  };
+  const ArgumentSpec distance = length_argument("distance", translatable("Distance"), {}),
+                     width = length_argument("width", translatable("Width"), {});
+  dragged("mesh.extrude", "Extrude",
+          "Move the selected faces out and put walls round them, or continue the selected open edges.",
+          distance, {.edges = true, .faces = true},
+          [](const Editor& of) { return extrusion(of, Grouping::region); },
+          {.keys = "E", .icon = icon::extrude, .contexts = Context::face | Context::edge});
+  dragged("mesh.extrude_each", "Extrude each face",
+          "Move every selected face out by itself, along its own normal.", distance, {.faces = true},
+          [](const Editor& of) { return extrusion(of, Grouping::individual); },
+          {.keys = "Shift+E", .contexts = Context::face});
+  dragged("mesh.inset", "Inset", "Put a band of even width inside the rim of the selected faces.", width,
+          {.faces = true}, insetting, {.keys = "I", .icon = icon::inset, .contexts = Context::face});
+  dragged("mesh.bevel_edges", "Bevel edges", "Turn the selected edges into flat bands.", width,
+          {.edges = true}, bevel_of_edges,
+          {.keys = "Ctrl+B", .icon = icon::bevel, .contexts = Context::edge});
+  dragged("mesh.bevel_vertices", "Bevel vertices", "Cut the selected corners off.", width, {.vertices = true},
+          bevel_of_vertices, {.keys = "Ctrl+Shift+B", .icon = icon::bevel, .contexts = Context::vertex});
 }
 
 void add_cuts(CommandHost& host) {
-  CommandTable& table = host.table;
   Editor& editor = host.editor;
-  table.add({.id = "mesh.loop_cut",
-             .menu = "Mesh",
-             .label = "Loop cut",
-             .help = "Cut a ring of four-sided faces from edge to edge.",
-             .keys = "Ctrl+R",
-             .icon = icon::loop_cut,
-             .changes_document = true,
-             .separator_before = true,
-             .needs_window = true,
-             .run = [&host] { host.viewport.start_modal(make_loop_cut_tool()); },
-             .why_not = needs_polyhedron(editor),
-             .contexts = Context::edge,
-             .script = {.arguments = {whole_argument("cuts", translatable("Cuts"), 1, 1, max_cuts),
-                                      number_argument("slide", translatable("Slide"), 0, -1, 1)},
-                        .run = [&editor](const Arguments& given) {
-                          cut_ring(editor, {given.whole("cuts"), given.number("slide")});
-                        }}});
-  table.add({.id = "mesh.knife",
-             .menu = "Mesh",
-             .label = "Knife",
-             .help = "Cut faces from point to point along a path.",
-             .keys = "K",
-             .icon = icon::knife,
-             .changes_document = true,
-             .needs_window = true,
-             .run = [&host] { host.viewport.start_modal(make_knife_tool()); },
-             .why_not = needs_polyhedron(editor),
-             .contexts = any_element});
-  table.add(
-      {.id = "mesh.connect",
-       .menu = "Mesh",
-       .label = "Connect",
-       .help = "Split faces between the selected vertices, and between the middles of the selected edges.",
-       .keys = "J",
-       .changes_document = true,
-       .run = [&editor] { connect_selected(editor); },
-       .why_not = needs_elements(editor, {.vertices = true, .edges = true}),
-       .contexts = Context::vertex | Context::edge});
-  table.add(
-      {.id = "mesh.subdivide",
-       .menu = "Mesh",
-       .label = "Subdivide",
-       .help = "Divide the selected faces into quads, or put a vertex on the middle of the selected edges.",
-       .changes_document = true,
-       .separator_before = true,
-       .run = [&editor] { subdivide_selected(editor, 1); },
-       .why_not = needs_elements(editor, {.edges = true, .faces = true}),
+  MenuRows rows(host.table, "Mesh");
+  rows.add_edit("mesh.loop_cut", "Loop cut", "Cut a ring of four-sided faces from edge to edge.",
+                [&host] { host.viewport.start_modal(make_loop_cut_tool()); }, needs_polyhedron(editor),
+                {.keys = "Ctrl+R",
+                 .icon = icon::loop_cut,
+                 .separator_before = true,
+                 .needs_window = true,
+                 .contexts = Context::edge,
+                 .script = {.arguments = {whole_argument("cuts", translatable("Cuts"), 1, 1, max_cuts),
+                                          number_argument("slide", translatable("Slide"), 0, -1, 1)},
+                            .run = [&editor](const Arguments& given) {
+                              cut_ring(editor, {given.whole("cuts"), given.number("slide")});
+                            }}});
+  rows.add_edit("mesh.knife", "Knife", "Cut faces from point to point along a path.",
+                [&host] { host.viewport.start_modal(make_knife_tool()); }, needs_polyhedron(editor),
+                {.keys = "K", .icon = icon::knife, .needs_window = true, .contexts = any_element});
+  rows.add_edit("mesh.connect", "Connect",
+                "Split faces between the selected vertices, and between the middles of the selected edges.",
+                [&editor] { connect_selected(editor); },
+                needs_elements(editor, {.vertices = true, .edges = true}),
+                {.keys = "J", .contexts = Context::vertex | Context::edge});
+  rows.add_edit(
+      "mesh.subdivide", "Subdivide",
+      "Divide the selected faces into quads, or put a vertex on the middle of the selected edges.",
+      [&editor] { subdivide_selected(editor, 1); }, needs_elements(editor, {.edges = true, .faces = true}),
+      {.separator_before = true,
        .contexts = Context::edge | Context::face,
        .script = {
            .arguments = {whole_argument("points", translatable("Points"), 1, 1, max_cuts)},
            .run = [&editor](const Arguments& given) { subdivide_selected(editor, given.whole("points")); }}});
-  table.add({.id = "mesh.poke",
-             .menu = "Mesh",
-             .label = "Poke faces",
-             .help = "Put a vertex into the middle of each selected face, with triangles round it.",
-             .changes_document = true,
-             .run = [&editor] { poke_selected(editor); },
-             .why_not = needs_elements(editor, {.faces = true}),
-             .contexts = Context::face});
-  table.add(switching({.id = "mesh.on_surface",
-                       .menu = "Mesh",
-                       .label = "Refine on the surface",
-                       .help = "Cuts and subdivisions put new points on the surface, which keeps its form; "
-                               "off: on straight edges."},
-                      editor.settings.refine_on_surface));
+  rows.add_edit("mesh.poke", "Poke faces",
+                "Put a vertex into the middle of each selected face, with triangles round it.",
+                [&editor] { poke_selected(editor); }, needs_elements(editor, {.faces = true}),
+                {.contexts = Context::face});
+  rows.add_switch(
+      "mesh.on_surface", "Refine on the surface",
+      "Cuts and subdivisions put new points on the surface, which keeps its form; off: on straight edges.",
+      editor.settings.refine_on_surface);
 }
 
 }  // namespace

@@ -15,7 +15,7 @@
 #include "core/modeling/surfacing/project_to_reference.hpp"
 #include "ui/base/quantity.hpp"
 #include "ui/editor/command_host.hpp"
-#include "ui/editor/operation_arguments.hpp"
+#include "ui/editor/last_operation.hpp"
 #include "ui/editor/operations.hpp"
 
 namespace hariko {
@@ -43,7 +43,7 @@ SharedObjects references_of(const Editor& editor) {
 struct ReferenceTask {
   std::shared_ptr<const Object> object;
   SharedObjects references;
-  std::vector<VertexId> vertices;  ///< that may move
+  std::vector<VertexId> vertices;  ///< those that may move
 };
 
 /// Whether everything still is as when the task began.
@@ -52,7 +52,7 @@ bool still_holds(const ReferenceTask& task, const Document& document) {
     const auto now = document.find_shared(then->id);
     return now == then || (now && now->source == then->source && now->transform == then->transform);
   };
-  return same(task.object) && std::all_of(task.references.begin(), task.references.end(), same);
+  return same(task.object) && std::ranges::all_of(task.references, same);
 }
 
 using Facets = std::shared_ptr<const ReferenceFacets>;
@@ -109,7 +109,7 @@ PrepareOperation preparing_results(const std::shared_ptr<ReferenceResults>& resu
         results->by_steps.insert_or_assign(steps, *made);
       };
     };
-    return LongEdit{fill(what, {task.object->name}), task.object->id, work};
+    return LongEdit{Phrase(what, {task.object->name}), task.object->id, work};
   };
 }
 
@@ -188,9 +188,7 @@ Result<BroughtToReference> brought_by_projection(const ReferenceTask& task, cons
   if (!done) return done.error();
   BroughtToReference out{std::move(done).value().source, {}};
   if (out.source == source)
-    out.say = [](Editor& now) {
-      now.notify(Notice::Kind::info, now.language("The vertices lie on the reference already."));
-    };
+    out.say = [](Editor& now) { now.inform("The vertices lie on the reference already."); };
   return out;
 }
 
@@ -233,16 +231,14 @@ void say_fit(Editor& editor, const ReferenceDistance& before, const ReferenceDis
   const auto length = [&](double in_object) {
     return format_quantity(measured_length(editor.document().unit, scale * in_object), scale * in_object);
   };
-  editor.notify(
-      Notice::Kind::info,
-      nearer ? fill(editor.language(
-                        "The surface was off the reference by {0} on average and by {1} at most. Now it "
-                        "is {2} and {3}."),
-                    {length(before.mean), length(before.largest), length(after.mean), length(after.largest)})
-             : fill(editor.language(
-                        "Moving these vertices brings the surface no nearer to the reference: it is off by "
-                        "{0} on average and by {1} at most."),
-                    {length(before.mean), length(before.largest)}));
+  if (nearer)
+    return editor.inform(
+        {"The surface was off the reference by {0} on average and by {1} at most. Now it is {2} and {3}.",
+         {length(before.mean), length(before.largest), length(after.mean), length(after.largest)}});
+  editor.inform(
+      {"Moving these vertices brings the surface no nearer to the reference: it is off by {0} on "
+       "average and by {1} at most.",
+       {length(before.mean), length(before.largest)}});
 }
 
 Result<BroughtToReference> brought_by_fit(const ReferenceTask& task, const ReferenceFacets& facets, int steps,
@@ -273,27 +269,19 @@ void run_fit(Editor& editor, std::vector<OperationNumber> numbers) {
 
 void add_reference_commands(CommandHost& host) {
   Editor& editor = host.editor;
-  host.table.add({.id = "mesh.project_reference",
-                  .menu = submenu("Mesh", translatable("Reference facets")),
-                  .label = "Project onto the reference",
-                  .help =
-                      "Move the selected vertices to the nearest points of the scan: of the chosen reference "
-                      "facets, or of all that are shown.",
-                  .changes_document = true,
-                  .separator_before = true,
-                  .run = [&editor] { run_projection(editor); },
-                  .why_not = needs_projectable(editor),
-                  .contexts = any_element});
-  host.table.add(
-      {.id = "mesh.fit_reference",
-       .menu = submenu("Mesh", translatable("Reference facets")),
-       .label = "Fit to the reference",
-       .help = "Move the selected vertices, or all, so that the surface is nearest to the scan, the shown "
-               "reference facets.",
-       .changes_document = true,
-       .run = [&editor] { run_fit(editor, fit_numbers()); },
-       .why_not = needs_fittable(editor),
-       .contexts = any_element,
+  MenuRows rows(host.table, submenu("Mesh", translatable("Reference facets")));
+  rows.add_edit(
+      "mesh.project_reference", "Project onto the reference",
+      "Move the selected vertices to the nearest points of the scan: of the chosen reference facets, or of "
+      "all that are shown.",
+      [&editor] { run_projection(editor); }, needs_projectable(editor),
+      {.separator_before = true, .contexts = any_element});
+  rows.add_edit(
+      "mesh.fit_reference", "Fit to the reference",
+      "Move the selected vertices, or all, so that the surface is nearest to the scan, the shown reference "
+      "facets.",
+      [&editor] { run_fit(editor, fit_numbers()); }, needs_fittable(editor),
+      {.contexts = any_element,
        .script = {.arguments = arguments_of(fit_numbers()), .run = [&editor](const Arguments& given) {
                     run_fit(editor, with_values(fit_numbers(), given));
                   }}});

@@ -51,16 +51,12 @@ WhyNot needs_shapeable(const Editor& editor, NeededElements kinds) {
     bool others = false;
     for (const auto& [id, elements] : editor.selection.elements()) {
       const Object* object = editor.document().find(id);
-      if (!object ||
-          !((kinds.vertices && !elements.vertices.empty()) || (kinds.edges && !elements.edges.empty())))
-        continue;
+      if (!object || !kinds.among(elements)) continue;
       if (object->polyhedron()) return {};
       others = true;
     }
     if (others) return translatable("Only polyhedra have tensions, creases, corners and pins.");
-    if (kinds.vertices && kinds.edges) return translatable("Nothing is selected. Click a vertex or an edge.");
-    if (kinds.vertices) return translatable("No vertices are selected. Press 1 and click one.");
-    return translatable("No edges are selected. Press 2 and click one.");
+    return kinds.missing();
   };
 }
 
@@ -118,32 +114,18 @@ void add_tensions(CommandHost& host) {
   Editor& editor = host.editor;
   Viewport& viewport = host.viewport;
   const WhyNot selected = needs_shapeable(editor, {.vertices = true, .edges = true});
-  host.table.add({.id = "shape.tension",
-                  .menu = "Shape",
-                  .label = "Tension",
-                  .help = "Drag to the side: more or less tension of the selected vertices and edges.",
-                  .keys = "T",
-                  .changes_document = true,
-                  .needs_window = true,
-                  .run = [&viewport] { viewport.start_modal(std::make_unique<TensionTool>()); },
-                  .why_not = selected,
-                  .script = tension_in_scripts(editor)});
-  host.table.add({.id = "shape.reset_tension",
-                  .menu = "Shape",
-                  .label = "Reset tension",
-                  .help = "Set \u03b1 of the selection to 0 and \u03b2 to 1.",
-                  .keys = "Shift+T",
-                  .changes_document = true,
-                  .run = [&editor] { give_tension(editor, "Reset tension", neutral_tension); },
-                  .why_not = selected});
+  MenuRows rows(host.table, "Shape");
+  rows.add_edit("shape.tension", "Tension",
+                "Drag to the side: more or less tension of the selected vertices and edges.",
+                [&viewport] { viewport.start_modal(std::make_unique<TensionTool>()); }, selected,
+                {.keys = "T", .needs_window = true, .script = tension_in_scripts(editor)});
+  rows.add_edit("shape.reset_tension", "Reset tension", "Set \u03b1 of the selection to 0 and \u03b2 to 1.",
+                [&editor] { give_tension(editor, "Reset tension", neutral_tension); }, selected,
+                {.keys = "Shift+T"});
   const auto preset = [&](const char* id, const char* label, const char* help, CopiedTension value) {
-    host.table.add({.id = id,
-                    .menu = submenu("Shape", translatable("Tension presets")),
-                    .label = label,
-                    .help = help,
-                    .changes_document = true,
-                    .run = [&editor, label, value] { give_tension(editor, label, value); },
-                    .why_not = selected});
+    MenuRows(host.table, submenu("Shape", translatable("Tension presets")))
+        .add_edit(
+            id, label, help, [&editor, label, value] { give_tension(editor, label, value); }, selected);
   };
   preset("shape.preset_relaxed", "Relaxed", "\u03b1 0, \u03b2 0.2: round.", {0, 0.2});
   preset("shape.preset_neutral", "Neutral", "\u03b1 0, \u03b2 1: the default.", neutral_tension);
@@ -155,25 +137,17 @@ void add_tensions(CommandHost& host) {
 void add_copied_tension(CommandHost& host) {
   Editor& editor = host.editor;
   const auto copied = std::make_shared<CopiedTension>();
-  host.table.add({.id = "shape.copy_tension",
-                  .menu = "Shape",
-                  .label = "Copy tension",
-                  .help = "Remember the tension of the selected vertex or edge.",
-                  .keys = "Ctrl+Shift+C",
-                  .run = [&editor, copied] { *copied = tension_of_selection(editor); },
-                  .why_not = needs_elements(editor, {.vertices = true, .edges = true})});
-  host.table.add(
-      {.id = "shape.paste_tension",
-       .menu = "Shape",
-       .label = "Paste tension",
-       .help = "Give the selection the tension that was copied.",
-       .keys = "Ctrl+Shift+V",
-       .changes_document = true,
-       .run = [&editor, copied] { give_tension(editor, "Paste tension", *copied); },
-       .why_not = only_if(
-           needs_shapeable(editor, {.vertices = true, .edges = true}),
-           [copied] { return copied->alpha || copied->beta; },
-           translatable("No tension was copied. Select a vertex or an edge and copy its tension."))});
+  MenuRows rows(host.table, "Shape");
+  rows.add("shape.copy_tension", "Copy tension", "Remember the tension of the selected vertex or edge.",
+           [&editor, copied] { *copied = tension_of_selection(editor); },
+           needs_elements(editor, {.vertices = true, .edges = true}), {.keys = "Ctrl+Shift+C"});
+  rows.add_edit("shape.paste_tension", "Paste tension", "Give the selection the tension that was copied.",
+                [&editor, copied] { give_tension(editor, "Paste tension", *copied); },
+                only_if(
+                    needs_shapeable(editor, {.vertices = true, .edges = true}),
+                    [copied] { return copied->alpha || copied->beta; },
+                    translatable("No tension was copied. Select a vertex or an edge and copy its tension.")),
+                {.keys = "Ctrl+Shift+V"});
 }
 
 /// Visible objects whose surfaces know frames.
@@ -204,17 +178,14 @@ bool any_framed(const Document& document) {
 
 void add_frames(CommandHost& host) {
   Editor& editor = host.editor;
-  host.table.add(
-      {.id = "shape.by_measure",
-       .menu = "Shape",
-       .label = "Surfaces by measure",
-       .help =
-           "All visible surfaces of polyhedra and outlines follow angles and lengths, or equal angles again.",
-       .changes_document = true,
-       .run = [&editor] { switch_frames(editor); },
-       .why_not = only_if(
-           needs_document(editor), [&editor] { return any_framed(editor.history.current()); },
-           translatable("Nothing visible has a surface that angles and lengths could count for."))});
+  MenuRows(host.table, "Shape")
+      .add_edit(
+          "shape.by_measure", "Surfaces by measure",
+          "All visible surfaces of polyhedra and outlines follow angles and lengths, or equal angles again.",
+          [&editor] { switch_frames(editor); },
+          only_if(
+              needs_document(editor), [&editor] { return any_framed(editor.history.current()); },
+              translatable("Nothing visible has a surface that angles and lengths could count for.")));
 }
 
 void crease_edges(Editor& editor, bool crease) {
@@ -226,8 +197,8 @@ void crease_edges(Editor& editor, bool crease) {
 
 void switch_crease(Editor& editor) {
   crease_edges(editor, !all_selected(editor, [](const Shaping& shaping, const ElementSelection& elements) {
-                 return std::all_of(elements.edges.begin(), elements.edges.end(),
-                                    [&](const EdgeId& id) { return shaping.crease.contains(id); });
+                 return std::ranges::all_of(elements.edges,
+                                            [&](const EdgeId& id) { return shaping.crease.contains(id); });
                }));
 }
 
@@ -240,7 +211,7 @@ void tag_vertices(Editor& editor, VertexTag tag, const char* step) {
 
 void switch_tag(Editor& editor, VertexTag tag, const char* step) {
   const bool all = all_selected(editor, [&](const Shaping& shaping, const ElementSelection& elements) {
-    return std::all_of(elements.vertices.begin(), elements.vertices.end(), [&](VertexId vertex) {
+    return std::ranges::all_of(elements.vertices, [&](VertexId vertex) {
       return shaping.tag.get_or(vertex, VertexTag::automatic) == tag;
     });
   });
@@ -276,57 +247,39 @@ bool any_pinned(const Editor& editor) {
 }
 
 void add_tags(CommandHost& host) {
-  CommandTable& table = host.table;
   Editor& editor = host.editor;
   const WhyNot vertices = needs_shapeable(editor, {.vertices = true});
-  table.add({.id = "shape.crease",
-             .menu = "Shape",
-             .label = "Crease edges",
-             .help = "Make the selected edges sharp, or smooth again.",
-             .keys = "C",
-             .changes_document = true,
-             .separator_before = true,
-             .run = [&editor] { switch_crease(editor); },
-             .why_not = needs_shapeable(editor, {.edges = true}),
-             .script = {.arguments = {on_off_argument("on", translatable("Crease"), true)},
-                        .run = [&editor](const Arguments& given) { crease_edges(editor, given.on("on")); }}});
+  MenuRows rows(host.table, "Shape");
+  rows.add_edit(
+      "shape.crease", "Crease edges", "Make the selected edges sharp, or smooth again.",
+      [&editor] { switch_crease(editor); }, needs_shapeable(editor, {.edges = true}),
+      {.keys = "C",
+       .separator_before = true,
+       .script = {.arguments = {on_off_argument("on", translatable("Crease"), true)},
+                  .run = [&editor](const Arguments& given) { crease_edges(editor, given.on("on")); }}});
   const auto tag = [&](const char* id, const char* label, const char* help, const char* keys,
                        VertexTag value) {
-    table.add({.id = id,
-               .menu = "Shape",
-               .label = label,
-               .help = help,
-               .keys = keys,
-               .changes_document = true,
-               .run = [&editor, value, label] { switch_tag(editor, value, label); },
-               .why_not = vertices,
-               .script = {.arguments = {on_off_argument("on", label, true)},
-                          .run = [&editor, value, label](const Arguments& given) {
-                            tag_vertices(editor, given.on("on") ? value : VertexTag::automatic, label);
-                          }}});
+    rows.add_edit(id, label, help, [&editor, value, label] { switch_tag(editor, value, label); }, vertices,
+                  {.keys = keys,
+                   .script = {.arguments = {on_off_argument("on", label, true)},
+                              .run = [&editor, value, label](const Arguments& given) {
+                                tag_vertices(editor, given.on("on") ? value : VertexTag::automatic, label);
+                              }}});
   };
   tag("shape.corner", "Corner vertices", "Tag the selected vertices as corners, or no longer.", "Shift+C",
       VertexTag::corner);
   tag("shape.smooth_ends", "Smooth ends",
       "Creases and borders run through the selected vertices smoothly, or no longer.", "Alt+Shift+C",
       VertexTag::smooth);
-  table.add({.id = "shape.fix_tangents",
-             .menu = "Shape",
-             .label = "Fix tangents",
-             .help = "Pin the tangents of the selected vertices as they are now.",
-             .changes_document = true,
-             .run = [&editor] { edit_selected(editor, "Fix tangents", with_fixed_tangents); },
-             .why_not = vertices});
-  table.add({.id = "shape.release_pins",
-             .menu = "Shape",
-             .label = "Release pins",
-             .help = "Free the pinned tangents of the selected vertices.",
-             .keys = "Shift+P",
-             .changes_document = true,
-             .run = [&editor] { edit_selected(editor, "Release pins", without_pins); },
-             .why_not = only_if(
-                 vertices, [&editor] { return any_pinned(editor); },
-                 translatable("None of the selected vertices is pinned."))});
+  rows.add_edit(
+      "shape.fix_tangents", "Fix tangents", "Pin the tangents of the selected vertices as they are now.",
+      [&editor] { edit_selected(editor, "Fix tangents", with_fixed_tangents); }, vertices);
+  rows.add_edit("shape.release_pins", "Release pins", "Free the pinned tangents of the selected vertices.",
+                [&editor] { edit_selected(editor, "Release pins", without_pins); },
+                only_if(
+                    vertices, [&editor] { return any_pinned(editor); },
+                    translatable("None of the selected vertices is pinned.")),
+                {.keys = "Shift+P"});
 }
 
 }  // namespace
@@ -336,6 +289,36 @@ void add_shape_commands(CommandHost& host) {
   add_copied_tension(host);
   add_tags(host);
   add_frames(host);
+}
+
+// Commands that say when surfaces follow the polyhedra.
+
+void add_recompute_commands(CommandHost& host) {
+  Editor& editor = host.editor;
+  const WhyNot document = needs_document(editor);
+  MenuRows rows(host.table, "Shape");
+  rows.add("surface.recompute", "Recompute now", "Bring every surface up to date.",
+           [&editor] { editor.recompute.wants_now = true; },
+           only_if(
+               document, [&editor] { return !editor.recompute.outdated.empty(); },
+               translatable("Every surface is up to date or on its way.")),
+           {.keys = "F5", .separator_before = true});
+  rows.add(
+      "surface.cancel", "Cancel computing", "Stop computing; the last surfaces stay until the next change.",
+      [&editor] { editor.recompute.wants_cancel = true; },
+      only_if(
+          document, [&editor] { return !editor.stale_since.empty(); },
+          translatable("Nothing is being computed.")));
+  rows.next_group();
+  const auto policy = [&](const char* id, const char* label, const char* help, RecomputePolicy value) {
+    rows.add(id, label, help, [&editor, value] { editor.recompute.policy = value; }, document,
+             {.checked = [&editor, value] { return editor.recompute.policy == value; }});
+  };
+  policy("surface.live", "Live", "Surfaces follow every change, also while dragging.", RecomputePolicy::live);
+  policy("surface.on_release", "When released", "Surfaces follow when a drag ends.",
+         RecomputePolicy::on_release);
+  policy("surface.manual", "By hand", "Surfaces follow when Recompute now is chosen.",
+         RecomputePolicy::manual);
 }
 
 }  // namespace hariko

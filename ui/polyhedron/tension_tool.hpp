@@ -3,20 +3,20 @@
 // TensionTool: changes the tensions of the selected vertices and edges by dragging to the side.
 
 #include <map>
+#include <memory>
 
 #include "ui/editor/numeric_input.hpp"
 #include "ui/view/tool.hpp"
+#include "ui/view/view_layer.hpp"
 
 namespace hariko {
 
-class TensionTool final : public Tool {
+class TensionTool final : public ModalTool {
  public:
-  bool modal() const override { return true; }
   void begin(ToolContext& context, const PointerEvent& press) override;
   ToolState update(ToolContext& context, const PointerEvent& event) override;
   std::optional<ToolState> key(ToolContext& context, const KeyPress& press) override;
   void draw(const ToolContext& context, const ToolOverlay& overlay) const override;
-  void cancel(ToolContext& context) override { context.editor.cancel_preview(); }
   std::string hint(const Language& tr) const override;
 
   /// Design pixels that double a tension.
@@ -33,9 +33,11 @@ class TensionTool final : public Tool {
   std::map<ObjectId, std::map<VertexId, double>> alphas_;  ///< as they were
   std::map<ObjectId, std::map<EdgeId, double>> betas_;
   NumericInput input_;
-  Vector2 pointer_ = Vector2::Zero();
   double way_ = 0;  ///< pixels to the right
-  std::string error_;
 };
+
+/// Draws tensions beside their elements, on objects that show them: all where they are few, else those that
+/// were changed, as many as have room.
+std::unique_ptr<ViewLayer> make_tension_numbers();
 
 }  // namespace hariko

@@ -7,9 +7,8 @@
 #include "core/modeling/objects/primitives.hpp"
 #include "core/skinning/columns/simple_skin.hpp"
 #include "ui/editor/command_host.hpp"
+#include "ui/editor/last_operation.hpp"
 #include "ui/editor/new_object.hpp"
-#include "ui/editor/operation_arguments.hpp"
-#include "ui/editor/placement.hpp"
 
 namespace hariko {
 
@@ -141,14 +140,11 @@ void add_patches(CommandHost& host) {
     return Source(std::move(source).value());
   };
   const NewPrimitive patches{"add.patches", "Bicubic patches", translatable("Add patches"), numbers, make};
-  host.table.add({.id = "add.patches",
-                  .menu = "Add",
-                  .label = "Bicubic patches",
-                  .help = "A grid of bicubic patches, flat or arched, whose control points can be moved.",
-                  .changes_document = true,
-                  .run = [&host, patches] { add_primitive(host, patches); },
-                  .contexts = Context::empty,
-                  .script = in_scripts(host, patches)});
+  MenuRows(host.table, "Add")
+      .add_edit("add.patches", "Bicubic patches",
+                "A grid of bicubic patches, flat or arched, whose control points can be moved.",
+                [&host, patches] { add_primitive(host, patches); }, {},
+                {.contexts = Context::empty, .script = in_scripts(host, patches)});
 }
 
 void add_skin(CommandHost& host) {
@@ -161,14 +157,10 @@ void add_skin(CommandHost& host) {
     return Source(SkinSource{arched_skin(n[0].value, n[1].value, n[2].value, count_of(n[3])), {}});
   };
   const NewPrimitive skin{"add.skin", "Skin", translatable("Add skin"), numbers, make};
-  host.table.add({.id = "add.skin",
-                  .menu = "Add",
-                  .label = "Skin",
-                  .help = "Two sections on a path, and a surface over them.",
-                  .changes_document = true,
-                  .run = [&host, skin] { add_primitive(host, skin); },
-                  .contexts = Context::empty,
-                  .script = in_scripts(host, skin)});
+  MenuRows(host.table, "Add")
+      .add_edit("add.skin", "Skin", "Two sections on a path, and a surface over them.",
+                [&host, skin] { add_primitive(host, skin); }, {},
+                {.contexts = Context::empty, .script = in_scripts(host, skin)});
 }
 
 void add_solids(const AddShape& add) {
@@ -273,14 +265,9 @@ void add_add_commands(CommandHost& host) {
   const auto add = [&host](const char* id, const std::string& menu, const char* label, const char* step,
                            const char* help, Numbers numbers, MakeMesh make) {
     const NewPrimitive primitive{id, label, step, std::move(numbers), from_mesh(std::move(make))};
-    host.table.add({.id = id,
-                    .menu = menu,
-                    .label = label,
-                    .help = help,
-                    .changes_document = true,
-                    .run = [&host, primitive] { add_primitive(host, primitive); },
-                    .contexts = Context::empty,
-                    .script = in_scripts(host, primitive)});
+    MenuRows(host.table, menu)
+        .add_edit(id, label, help, [&host, primitive] { add_primitive(host, primitive); }, {},
+                  {.contexts = Context::empty, .script = in_scripts(host, primitive)});
   };
   add_solids(add);
   add_round(add);

@@ -22,6 +22,7 @@ constexpr Code e_no_ring_centre{"E_NO_RING_CENTRE"};
 
 constexpr const char* row_step = translatable("Array in a row");
 constexpr const char* ring_step = translatable("Array around an axis");
+constexpr const char* image_step = translatable("Mirrored copy");
 constexpr const char* copies_step = translatable("Duplicate and move");
 
 Box3 box_of_objects(const Editor& editor, std::span<const ObjectId> ids) {
@@ -127,31 +128,31 @@ WriteOperation written_ring(const Editor& editor) {
 void make_ring_of_objects(Editor& editor) {
   constexpr int usual_count = 6;
   constexpr double full_turn = 360;
-  const OperationNumber axis{"array_axis", translatable("Axis"), 2, 0, 2, true, false, {"X", "Y", "Z"}};
-  const OperationNumber centre{
-      "array_centre",
-      translatable("Centre"),
-      0,
-      0,
-      2,
-      true,
-      false,
-      {translatable("World zero"), translatable("Selection"), translatable("Pivot")}};
-  run_on_chosen(editor, ring_step,
-                {count_of_places(usual_count), axis, centre,
-                 OperationNumber{
-                     "array_angle", translatable("Angle"), full_turn, -full_turn, full_turn, false, true, {}},
-                 kind_of_copies()},
-                ring_of_objects, written_ring);
+  run_on_chosen(
+      editor, ring_step,
+      {count_of_places(usual_count), choice_number("array_axis", translatable("Axis"), {"X", "Y", "Z"}, 2),
+       choice_number("array_centre", translatable("Centre"),
+                     {translatable("World zero"), translatable("Selection"), translatable("Pivot")}),
+       OperationNumber{
+           "array_angle", translatable("Angle"), full_turn, -full_turn, full_turn, false, true, {}},
+       kind_of_copies()},
+      ring_of_objects, written_ring);
 }
 
-/// Makes images, which are then chosen, as copies are.
+MirrorPlane plane_of_images(Axis axis, double position) {
+  return {static_cast<int>(axis), position};
+}
+
+/// Makes images, which are then chosen, as copies are; live ones are chosen with their originals.
 MakeOfObjects images_across(Axis axis) {
   return [axis](const Editor&, std::vector<ObjectId> ids) -> Result<MakeOperation> {
     return MakeOperation(
         [axis, ids = std::move(ids)](const Document& document,
                                      std::span<const OperationNumber> n) -> Result<OperationResult> {
-          const auto added = mirrored_copies(document, ids, {static_cast<int>(axis), n[0].value});
+          const MirrorPlane plane = plane_of_images(axis, n[0].value);
+          if (wants_live_copies(n))
+            return chosen_with_live_copies(add_live_copies(document, ids, mirror_of_copies(plane)), ids);
+          const auto added = mirrored_copies(document, ids, plane);
           if (!added) return added.error();
           OperationResult result{added->document, added->ids.front()};
           result.objects = added->ids;
@@ -160,13 +161,28 @@ MakeOfObjects images_across(Axis axis) {
   };
 }
 
-/// Writes the command of an image, which a script makes across zero alone.
+/// Writes the command of an image.
 WriteOfObjects written_images(const char* id) {
   return [id](const Editor&) -> WriteOperation {
     return [id](std::span<const OperationNumber> n) {
-      return n[0].value == 0 ? std::vector{WrittenCommand{id}} : std::vector<WrittenCommand>();
+      return std::vector{WrittenCommand{
+          id, {written("position", n[0].value), written_switch("live", wants_live_copies(n))}}};
     };
   };
+}
+
+ScriptUse images_in_scripts(Editor& editor, Axis axis) {
+  ScriptUse use;
+  use.arguments = {length_argument("position", translatable("Position"), 0), live_copies_argument()};
+  use.run = [&editor, axis](const Arguments& given) {
+    const MirrorPlane plane = plane_of_images(axis, given.number("position"));
+    const Document& document = editor.history.current();
+    const std::vector<ObjectId> chosen = chosen_ids(editor);
+    if (given.on("live"))
+      return make_live_copies(editor, add_live_copies(document, chosen, mirror_of_copies(plane)), image_step);
+    make_copies(editor, mirrored_copies(document, chosen, plane), {}, image_step);
+  };
+  return use;
 }
 
 /// Copies and moves them as the tool did, by other lengths where there are numbers.
@@ -232,8 +248,7 @@ std::vector<SizedObject> chosen_with_boxes(const Editor& editor) {
 }
 
 void make_arrangement(Editor& editor, const Result<Document>& result, const char* step) {
-  if (!editor.commit(result, step) && result)
-    editor.notify(Notice::Kind::info, editor.language("The objects lie like this already."));
+  if (!editor.commit(result, step) && result) editor.inform("The objects lie like this already.");
 }
 
 void align_chosen(Editor& editor, Axis axis, BoxSide side) {
@@ -298,9 +313,8 @@ WhyNot needs_shown_object(const Editor& editor) {
   return only_if(
       needs_object(editor),
       [&editor] {
-        const auto objects = chosen_objects(editor);
-        return std::any_of(objects.begin(), objects.end(),
-                           [](const auto& object) { return object->visible; });
+        return std::ranges::any_of(chosen_objects(editor),
+                                   [](const auto& object) { return object->visible; });
       },
       translatable("What is selected is hidden."));
 }
@@ -309,59 +323,44 @@ void add_copying(CommandHost& host) {
   CommandTable& table = host.table;
   Editor& editor = host.editor;
   const WhyNot object = needs_object(editor);
-  table.add({.id = "object.duplicate_move",
-             .menu = "Edit",
-             .label = "Duplicate and move",
-             .help = "Copy the chosen objects and move the copies with the pointer or by typed lengths; Esc "
-                     "takes them away again.",
-             .keys = "Shift+D",
-             .changes_document = true,
-             .separator_before = true,
-             .needs_window = true,
-             .run = [&host] { duplicate_and_move(host); },
-             .why_not = needs_shown_object(editor),
-             .contexts = Context::object});
-  table.add(
-      {.id = "object.array_row",
-       .menu = arrange_menu(),
-       .label = "Array in a row\u2026",
-       .help = "A row of copies of the chosen objects; count and steps can be changed right afterwards.",
-       .changes_document = true,
-       .run = [&editor] { make_row_of_objects(editor); },
-       .why_not = object,
-       .contexts = Context::object,
-       .script = row_in_scripts(editor)});
-  table.add({.id = "object.array_ring",
-             .menu = arrange_menu(),
-             .label = "Array around an axis\u2026",
-             .help = "A ring or an arc of copies of the chosen objects; count, axis, centre and angle can be "
-                     "changed right afterwards.",
-             .changes_document = true,
-             .run = [&editor] { make_ring_of_objects(editor); },
-             .why_not = object,
-             .contexts = Context::object,
-             .script = ring_in_scripts(editor)});
+  MenuRows(table, "Edit")
+      .add_edit(
+          "object.duplicate_move", "Duplicate and move",
+          "Copy the chosen objects and move the copies with the pointer or by typed lengths; Esc takes them "
+          "away again.",
+          [&host] { duplicate_and_move(host); }, needs_shown_object(editor),
+          {.keys = "Shift+D", .separator_before = true, .needs_window = true, .contexts = Context::object});
+  MenuRows rows(host.table, arrange_menu());
+  rows.add_edit("object.array_row", "Array in a row\u2026",
+                "A row of copies of the chosen objects; count and steps can be changed right afterwards.",
+                [&editor] { make_row_of_objects(editor); }, object,
+                {.contexts = Context::object, .script = row_in_scripts(editor)});
+  rows.add_edit(
+      "object.array_ring", "Array around an axis\u2026",
+      "A ring or an arc of copies of the chosen objects; count, axis, centre and angle can be changed right "
+      "afterwards.",
+      [&editor] { make_ring_of_objects(editor); }, object,
+      {.contexts = Context::object, .script = ring_in_scripts(editor)});
   add_curve_array_command(host);
   add_live_copy_commands(host);
-  bool first = true;
+}
+
+void add_mirrored_copies(CommandHost& host) {
+  Editor& editor = host.editor;
+  const WhyNot object = needs_object(editor);
+  MenuRows rows(host.table, arrange_menu());
+  rows.next_group();
   const auto mirror = [&](const char* id, const char* label, Axis axis) {
-    table.add({.id = id,
-               .menu = arrange_menu(),
-               .label = label,
-               .help =
-                   "A mirror image of each chosen object, on the other side of the plane through zero; the "
-                   "plane can be moved right afterwards.",
-               .changes_document = true,
-               .separator_before = first,
-               .run =
-                   [&editor, axis, id] {
-                     run_on_chosen(editor, translatable("Mirrored copy"),
-                                   {distance_number("mirror_position", translatable("Position"), 0)},
-                                   images_across(axis), written_images(id));
-                   },
-               .why_not = object,
-               .contexts = Context::object});
-    first = false;
+    rows.add_edit(
+        id, label,
+        "A mirror image of each chosen object, on the other side of the plane through zero; the plane can "
+        "be moved right afterwards, and the image can be a live copy.",
+        [&editor, axis, id] {
+          run_on_chosen(editor, image_step,
+                        {distance_number("mirror_position", translatable("Position"), 0), kind_of_copies()},
+                        images_across(axis), written_images(id));
+        },
+        object, {.contexts = Context::object, .script = images_in_scripts(editor, axis)});
   };
   mirror("object.mirror_copy_x", "Mirrored copy across X", Axis::x);
   mirror("object.mirror_copy_y", "Mirrored copy across Y", Axis::y);
@@ -372,18 +371,11 @@ void add_aligning(CommandHost& host) {
   Editor& editor = host.editor;
   const WhyNot two = needs_several(
       editor, 2, translatable("Choose two or more objects. Press 4 and click them with Shift."));
-  bool first = true;
+  MenuRows rows(host.table, arrange_menu());
+  rows.next_group();
   const auto align = [&](const char* id, const char* label, const char* help, Axis axis, BoxSide side) {
-    host.table.add({.id = id,
-                    .menu = arrange_menu(),
-                    .label = label,
-                    .help = help,
-                    .changes_document = true,
-                    .separator_before = first,
-                    .run = [&editor, axis, side] { align_chosen(editor, axis, side); },
-                    .why_not = two,
-                    .contexts = Context::object});
-    first = false;
+    rows.add_edit(id, label, help, [&editor, axis, side] { align_chosen(editor, axis, side); }, two,
+                  {.contexts = Context::object});
   };
   const char* low = "The sides with the least coordinate come to lie where that of the active object lies.";
   const char* middle = "The centres of the objects' boxes come to lie where that of the active object lies.";
@@ -404,18 +396,11 @@ void add_distributing(CommandHost& host) {
   Editor& editor = host.editor;
   const WhyNot three = needs_several(
       editor, 3, translatable("Choose three or more objects. Press 4 and click them with Shift."));
-  bool first = true;
+  MenuRows rows(host.table, arrange_menu());
+  rows.next_group();
   const auto distribute = [&](const char* id, const char* label, Axis axis) {
-    host.table.add({.id = id,
-                    .menu = arrange_menu(),
-                    .label = label,
-                    .help = "Equal gaps between the chosen objects; the first and the last stay.",
-                    .changes_document = true,
-                    .separator_before = first,
-                    .run = [&editor, axis] { distribute_chosen(editor, axis); },
-                    .why_not = three,
-                    .contexts = Context::object});
-    first = false;
+    rows.add_edit(id, label, "Equal gaps between the chosen objects; the first and the last stay.",
+                  [&editor, axis] { distribute_chosen(editor, axis); }, three, {.contexts = Context::object});
   };
   distribute("object.distribute_x", "Distribute along X", Axis::x);
   distribute("object.distribute_y", "Distribute along Y", Axis::y);
@@ -426,6 +411,7 @@ void add_distributing(CommandHost& host) {
 
 void add_arrange_commands(CommandHost& host) {
   add_copying(host);
+  add_mirrored_copies(host);
   add_aligning(host);
   add_distributing(host);
 }

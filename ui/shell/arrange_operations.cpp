@@ -2,7 +2,6 @@
 
 #include <utility>
 
-#include "core/modeling/objects/primitives.hpp"
 #include "ui/editor/new_object.hpp"
 #include "ui/editor/selected_items.hpp"
 
@@ -57,14 +56,8 @@ Result<OperationResult> chosen_with_live_copies(Result<Document> made,
 }
 
 OperationNumber kind_of_copies() {
-  return {"array_copies",
-          translatable("Copies as"),
-          0,
-          0,
-          1,
-          true,
-          false,
-          {translatable("Objects"), translatable("Live copies")}};
+  return choice_number("array_copies", translatable("Copies as"),
+                       {translatable("Objects"), translatable("Live copies")});
 }
 
 bool wants_live_copies(std::span<const OperationNumber> numbers) {
@@ -73,10 +66,6 @@ bool wants_live_copies(std::span<const OperationNumber> numbers) {
 
 ArgumentSpec live_copies_argument() {
   return on_off_argument("live", translatable("Live copies"), false);
-}
-
-OperationNumber distance_number(const char* id, const char* label, double value) {
-  return {id, label, value, -max_primitive_length, max_primitive_length, false};
 }
 
 OperationNumber count_of_places(int value) {

@@ -49,7 +49,6 @@ bool wants_live_copies(std::span<const OperationNumber> numbers);
 /// The same choice in scripts, on or off.
 ArgumentSpec live_copies_argument();
 
-OperationNumber distance_number(const char* id, const char* label, double value);
 OperationNumber count_of_places(int value);
 
 /// Adds the command that places copies along a curve.

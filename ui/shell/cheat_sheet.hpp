@@ -30,8 +30,8 @@ struct CheatGroup {
 /// The blocks for what can be done now: the tool's hint, moving the view, then the menus.
 std::vector<CheatGroup> cheat_groups(const PanelContext& context);
 
-/// Which column each block of a height stands in, in their order from column to column, so that the tallest
-/// column is as low as the order allows.
+/// Column that each block stands in, by the blocks' heights, in their order from column to column, so that
+/// the tallest column is as low as the order allows.
 std::vector<int> columns_of(const std::vector<float>& heights, int columns);
 
 /// The parts of a hint, which stand three spaces apart: "Orbit   Esc goes back".

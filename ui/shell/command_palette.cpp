@@ -1,7 +1,7 @@
 #include "ui/shell/command_palette.hpp"
 
 #include <GLFW/glfw3.h>
-#include <imgui_stdlib.h>
+#include <imgui.h>
 
 #include <algorithm>
 #include <utility>
@@ -11,6 +11,8 @@
 #include "ui/editor/command_search.hpp"
 #include "ui/editor/saved_views.hpp"
 #include "ui/widgets/command_menu.hpp"
+#include "ui/widgets/inputs.hpp"
+#include "ui/widgets/items.hpp"
 #include "ui/widgets/overlay_window.hpp"
 
 namespace hariko {
@@ -36,7 +38,7 @@ void CommandPalette::key(const KeyChord& chord) {
   if (chord.key == GLFW_KEY_DOWN) step_ = 1;
   if (chord.key == GLFW_KEY_PAGE_UP) step_ = -page;
   if (chord.key == GLFW_KEY_PAGE_DOWN) step_ = page;
-  if (chord.key == GLFW_KEY_ENTER || chord.key == GLFW_KEY_KP_ENTER) accept_ = true;
+  if (chord.key == GLFW_KEY_ENTER) accept_ = true;
 }
 
 std::vector<CommandPalette::Row> CommandPalette::rows(const PanelContext& context) const {
@@ -94,14 +96,13 @@ void CommandPalette::draw(PanelContext& context, float top) {
   }
   if (focus_) ImGui::SetKeyboardFocusHere();
   focus_ = false;
-  ImGui::SetNextItemWidth(wide - m.px(16));
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(m.px(10), m.px(8)));
-  if (ImGui::InputTextWithHint("##search", context.tr("Search commands and objects"), &text_)) {
+  if (text_field(context.marks, "palette.input", text_, wide - m.px(16),
+                 context.tr("Search commands and objects"))) {
     selected_ = 0;
     scroll_ = true;
   }
   ImGui::PopStyleVar();
-  context.marks.item("palette.input");
   // After the text took what was typed: Enter may have come in the same frame.
   const auto found = rows(context);
   row_count_ = static_cast<int>(found.size());
@@ -122,7 +123,7 @@ void CommandPalette::draw_rows(PanelContext& context, const std::vector<Row>& ro
   if (ImGui::BeginChild("rows", {0, 0}, false, ImGuiWindowFlags_NoNav)) {
     if (rows.empty()) {
       ImGui::SetCursorPos({m.px(10), m.px(12)});
-      ImGui::TextDisabled("%s", context.tr("Nothing is called like that."));
+      dim_text(context.tr("Nothing is called like that."));
     }
     if (scroll_) {
       const float at = m.px(palette_row) * static_cast<float>(selected_);
@@ -146,7 +147,7 @@ void CommandPalette::draw_rows(PanelContext& context, const std::vector<Row>& ro
   if (accept_ && !rows.empty()) chosen = &rows[static_cast<std::size_t>(selected_)];
   accept_ = false;
   if (!chosen) return;
-  // What cannot run stays in view with its reason, and the text stays ready.
+  // Commands that cannot run stay in view with their reason, and the text stays ready.
   focus_ = true;
   choose(context, *chosen);
 }
@@ -158,10 +159,7 @@ bool CommandPalette::draw_row(PanelContext& context, const Row& row, bool select
                                             : "view:" + row.view;
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const ImVec2 size(ImGui::GetContentRegionAvail().x, m.px(palette_row));
-  ImGui::PushID(id.c_str());
-  const bool clicked = ImGui::InvisibleButton("row", size);
-  ImGui::PopID();
-  context.marks.item("palette." + id);
+  const bool clicked = area_button(context.marks, "palette." + id, size);
   if (selected) context.marks.item("palette.selected." + id);
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const ImVec2 end(at.x + size.x, at.y + size.y);

@@ -37,7 +37,7 @@ class CommandPalette {
   bool open_ = false, focus_ = false, accept_ = false, scroll_ = false;
   std::string text_, pending_;  ///< the command to run when the palette is gone
   int selected_ = 0, step_ = 0;
-  int row_count_ = 0;                ///< of the last frame, for the height of the window
+  int row_count_ = 0;                ///< rows of the last frame, for the height of the window
   std::vector<std::string> recent_;  ///< ids of commands, latest first
 };
 

@@ -2,13 +2,16 @@
 
 #include <imgui_internal.h>
 
-#include <cctype>
 #include <cmath>
 #include <string_view>
 
-#include "ui/editor/selection_text.hpp"
+#include "ui/editor/command_host.hpp"
+#include "ui/editor/object_kind.hpp"
+#include "ui/editor/selected_items.hpp"
 #include "ui/view/tool.hpp"
 #include "ui/widgets/command_menu.hpp"
+#include "ui/widgets/items.hpp"
+#include "ui/widgets/lists.hpp"
 
 namespace hariko {
 
@@ -32,15 +35,11 @@ Context context_of(const Editor& editor, const std::optional<ElementRef>& elemen
 /// "Vertex 12 · Car body", or what the view shows.
 std::string title_of(const PanelContext& context, const std::optional<ElementRef>& element) {
   const Language& tr = context.tr;
-  if (!element) return context.editor.title();
-  const Object* object = context.editor.document().find(element->object);
-  const std::string name = object ? object->name : std::string();
+  const Object* object = element ? context.editor.document().find(element->object) : nullptr;
+  if (!object) return element ? std::string() : context.editor.title();
+  const std::string& name = object->name;
   if (context.editor.mode == ElementMode::object || element->element.kind == Element::Kind::none) return name;
-  std::string text = to_string(element->element);
-  const std::size_t space = text.find(' ');
-  text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));  // as the catalogue has it
-  text = tr(text.substr(0, space)) + text.substr(space);
-  if (object && object->solids()) text = fill(tr("Solid {0}"), {std::to_string(element->element.id)});
+  std::string text = object_kind(*object).title(element->element, tr);
   const ElementSelection& selection = context.editor.selection.of(element->object);
   if (selection.size() > 1 && context.editor.selection.contains(*element))
     text = describe_in(object, selection, tr);
@@ -95,16 +94,31 @@ void ContextMenu::draw(PanelContext& context) {
   ImGui::SetNextWindowPos(at_, ImGuiCond_Appearing);
   const Metrics& m = context.metrics;
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(m.px(10), m.px(8)));
-  const bool drawn =
-      ImGui::BeginPopup("###context", ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav);
+  const OpenScope menu = popup_scope("###context", ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav);
   ImGui::PopStyleVar();
-  if (!drawn) return;
-  ImGui::TextDisabled("%s", title_of(context, about_).c_str());
+  if (!menu) return;
+  dim_text(title_of(context, about_));
   context.marks.item("context.title");
   ImGui::Separator();
   draw_menu_nodes(context, context_menu_tree(context.commands, context_of(context.editor, about_)),
                   "context.");
-  ImGui::EndPopup();
+}
+
+void fill_context_menus(CommandTable& table) {
+  using enum Context;
+  // Those of the Mesh menu say themselves where they stand.
+  table.show_in(vertex | edge, {"shape.tension", "shape.reset_tension"});
+  table.show_in(vertex, {"shape.corner", "shape.smooth_ends"});
+  table.show_in(edge, {"shape.crease", "shape.attach", "shape.release_edges", "select.loop", "select.ring",
+                       "mesh.extrude"});
+  table.show_in(face, {"plane.face"});
+  table.show_in(any_element | object, {"transform.move", "transform.rotate", "transform.scale"});
+  table.show_in(any_element, {"select.all", "select.none", "select.linked", "view.frame_selection"});
+  table.show_in(
+      object, {"object.duplicate", "view.frame_selection", "mirror.live_x", "mirror.live_y", "mirror.live_z",
+               "mirror.apply", "mirror.object_x", "mirror.object_y", "mirror.object_z"});
+  table.show_in(empty, {"file.import", "edit.undo", "edit.redo", "select.all", "view.frame_all", "view.four",
+                        "view.orthographic", "view.x_ray", "view.grid"});
 }
 
 }  // namespace hariko

@@ -5,9 +5,9 @@
 #include <variant>
 
 #include "core/document/edits/edit_copies.hpp"
-#include "ui/base/text_lines.hpp"
 #include "ui/base/theme.hpp"
 #include "ui/polyhedron/element_rows.hpp"
+#include "ui/widgets/items.hpp"
 #include "ui/widgets/value_fields.hpp"
 
 namespace hariko {
@@ -23,8 +23,8 @@ const Kind* outermost_array(const Object& object) {
 
 template <class Kind>
 bool all_have_array(const Objects& objects) {
-  return std::all_of(objects.begin(), objects.end(),
-                     [](const auto& object) { return outermost_array<Kind>(*object) != nullptr; });
+  return std::ranges::all_of(objects,
+                             [](const auto& object) { return outermost_array<Kind>(*object) != nullptr; });
 }
 
 /// Changes the outermost arrays of objects, all of which are of one kind.
@@ -65,9 +65,13 @@ void copies_step_row(PanelContext& context, const Objects& objects) {
     steps[static_cast<std::size_t>(axis)] = common<double>(objects, [&](const auto& object) {
       return outermost_array<RowOfCopies>(*object)->step[axis] * object->transform.scale;
     });
-  vector_row(context, "Step", "From place to place, along the object's own axes",
-             axis_specs({"copies_step.x", "copies_step.y", "copies_step.z"}, live_copies_step, length), steps,
-             [objects, length](const Document& document, int axis, const ValueChange& change) {
+  vector_row(context,
+             {{"copies_step.x", "copies_step.y", "copies_step.z"},
+              "Step",
+              "From place to place, along the object's own axes",
+              live_copies_step,
+              length},
+             steps, [objects, length](const Document& document, int axis, const ValueChange& change) {
                return change_outermost<RowOfCopies>(
                    document, objects, [&](const Object& object, RowOfCopies& row) {
                      const double scale = object.transform.scale;
@@ -94,24 +98,47 @@ void copies_angle_row(PanelContext& context, const Objects& objects) {
       });
 }
 
+/// Distance of the plane from the object's own zero, along its normal, in the document's unit.
+double distance_of_plane(const Object& object, const MirrorOfCopies& mirror) {
+  return mirror.normal.stableNormalized().dot(mirror.point) * object.transform.scale;
+}
+
+void copies_plane_row(PanelContext& context, const Objects& objects) {
+  const Quantity length = length_quantity(context.editor.document().unit, model_size(context.editor));
+  value_row(context,
+            {"copies_plane", "Distance", "From the object's own zero to the plane of its mirror image",
+             live_copies_step, length},
+            common<double>(objects,
+                           [](const auto& object) {
+                             return distance_of_plane(*object, *outermost_array<MirrorOfCopies>(*object));
+                           }),
+            [objects, length](const Document& document, const ValueChange& change) {
+              return change_outermost<MirrorOfCopies>(
+                  document, objects, [&](const Object& object, MirrorOfCopies& mirror) {
+                    const double distance = change.apply(length, distance_of_plane(object, mirror));
+                    mirror.point = distance / object.transform.scale * mirror.normal.stableNormalized();
+                  });
+            });
+}
+
 }  // namespace
 
 void copies_rows(PanelContext& context, const Objects& objects) {
   if (objects.empty() ||
-      std::any_of(objects.begin(), objects.end(), [](const auto& object) { return object->copies->empty(); }))
+      std::ranges::any_of(objects, [](const auto& object) { return object->copies->empty(); }))
     return;
   std::size_t places = 0;
   for (const auto& object : objects) places += place_count(*object);
-  {
-    const TextColour dim(palette().dim_text);
-    text_in_lines(fill(context.tr("Live copies: {0} places in all"), {std::to_string(places)}));
-  }
+  coloured_lines(palette().dim_text,
+                 fill(context.tr("Live copies: {0} places in all"), {std::to_string(places)}));
   if (all_have_array<RowOfCopies>(objects)) {
     copies_count_row<RowOfCopies>(context, objects);
     copies_step_row(context, objects);
   } else if (all_have_array<RingOfCopies>(objects)) {
     copies_count_row<RingOfCopies>(context, objects);
     copies_angle_row(context, objects);
+  } else if (all_have_array<MirrorOfCopies>(objects)) {
+    copies_plane_row(context, objects);
   }
 }
 

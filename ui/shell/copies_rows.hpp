@@ -8,8 +8,8 @@
 namespace hariko {
 
 /// Number of places that the objects have and, where they are in a row or a ring, how far these are from each
-/// other. Fields change the outermost array of each object. Draws nothing unless all objects have live
-/// copies.
+/// other, or where the plane of a mirror image is. Fields change the outermost array of each object. Draws
+/// nothing unless all objects have live copies.
 void copies_rows(PanelContext& context, const Objects& objects);
 
 }  // namespace hariko

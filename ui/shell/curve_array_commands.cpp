@@ -10,6 +10,7 @@
 #include "core/document/object_box.hpp"
 #include "core/modeling/objects/object_curves.hpp"
 #include "core/modeling/objects/primitives.hpp"
+#include "ui/editor/object_kind.hpp"
 #include "ui/editor/selected_items.hpp"
 #include "ui/editor/surface_view.hpp"
 #include "ui/shell/arrange_operations.hpp"
@@ -41,28 +42,26 @@ struct CurveChoice {
   std::vector<ObjectId> copied = {};
 };
 
-bool has_drawn_curve(const Object* object) {
-  return object && (object->skin() || object->outline());
-}
-
 /// The skin or outline that is meant: the active object, else the only one among those that are chosen.
 std::optional<ObjectId> drawn_curve(const Editor& editor, std::span<const ObjectId> chosen,
                                     bool only_active) {
-  const auto drawn = [&](ObjectId id) { return has_drawn_curve(editor.document().find(id)); };
+  const auto drawn = [&](ObjectId id) {
+    const Object* object = editor.document().find(id);
+    return object && drawn_curve_count(*object).has_value();
+  };
   if (chosen.size() < 2) return {};
   if (drawn(chosen.front())) return chosen.front();
-  if (only_active || std::count_if(chosen.begin(), chosen.end(), drawn) != 1) return {};
-  return *std::find_if(chosen.begin(), chosen.end(), drawn);
+  if (only_active || std::ranges::count_if(chosen, drawn) != 1) return {};
+  return *std::ranges::find_if(chosen, drawn);
 }
 
-/// The loop of the points that are selected, or the only one.
+/// The drawn curve of the points that are selected, or the only one.
 Result<std::size_t> chosen_loop(const Editor& editor, const Object& object) {
-  const Outline& outline = *object.outline()->outline;
   const auto& points = editor.selection.of(object.id).vertices;
-  if (!points.empty() && points.begin()->value < outline.point_count())
-    return outline_point(outline, points.begin()->value).loop;
-  if (outline.loops.size() > 1) return make_error(e_which_curve, several_loops);
-  if (outline.loops.empty()) return make_error(e_no_curve, no_curve);
+  if (const auto at = points.empty() ? std::nullopt : drawn_curve_at(object, *points.begin())) return *at;
+  const std::size_t count = drawn_curve_count(object).value_or(0);
+  if (count > 1) return make_error(e_which_curve, several_loops);
+  if (count == 0) return make_error(e_no_curve, no_curve);
   return std::size_t(0);
 }
 
@@ -80,7 +79,7 @@ Result<CurveChoice> chosen_curve(const Editor& editor) {
   if (drawn) {
     out.object = *drawn;
     const Object& object = *editor.document().find(*drawn);
-    const auto loop = object.outline() ? chosen_loop(editor, object) : Result<std::size_t>(std::size_t(0));
+    const auto loop = chosen_loop(editor, object);
     if (!loop) return loop.error();
     out.loop = *loop;
   } else {
@@ -98,7 +97,8 @@ Result<CurveChoice> chosen_curve(const Editor& editor) {
 
 /// The surface whose curves lie over the edges of an object; null where none is shown.
 Result<const Surface*> surface_over_edges(const Editor& editor, const Object& object) {
-  if (!object.polyhedron() || !object.display.surface) return static_cast<const Surface*>(nullptr);
+  if (!object_kind(object).curves_over_edges() || !object.display.surface)
+    return static_cast<const Surface*>(nullptr);
   const SurfaceView* view = editor.view_of(object.id);
   if (view && view->error)
     return make_error(e_curve_surface, "The surface over the selected edges cannot be made.",
@@ -118,9 +118,7 @@ Result<ObjectCurve> curve_of_choice(const Editor& editor, const CurveChoice& cho
     if (!surface) return surface.error();
     return curve_of_edges(*object, choice.edges, *surface);
   }
-  if (object->skin()) return curve_of_path(*object);
-  if (object->outline() && choice.loop < object->outline()->outline->loops.size())
-    return curve_of_loop(*object, choice.loop);
+  if (choice.loop < drawn_curve_count(*object).value_or(0)) return drawn_curve_of(*object, choice.loop);
   return make_error(e_no_curve, no_curve);
 }
 
@@ -221,12 +219,6 @@ WriteOperation written_along(const Editor&) {
   };
 }
 
-OperationNumber curve_choice_number(const char* id, const char* label, std::vector<const char*> choices,
-                                    int value) {
-  const double last = double(choices.size()) - 1;
-  return {id, label, double(value), 0, last, true, false, std::move(choices)};
-}
-
 /// A fifth of a curve, with two digits.
 double usual_spacing(double length) {
   const double digit = std::pow(10, std::floor(std::log10(length / 5)) - 1);
@@ -235,25 +227,25 @@ double usual_spacing(double length) {
 
 std::vector<OperationNumber> numbers_along(const ArcLengthCurve& curve, const Vector3& objects) {
   constexpr int usual_count = 6;
-  constexpr double clearly = 1 - 1e-6;  // of equal distances the beginning counts
+  constexpr double clearly = 1 - 1e-6;  // the beginning counts where distances are equal
   const bool nearer_to_end = !curve.closed() && (curve.at(curve.length()).position - objects).norm() <
                                                     clearly * (curve.at(0).position - objects).norm();
   OperationNumber spacing =
       distance_number("array_spacing", translatable("Spacing"), usual_spacing(curve.length()));
   spacing.low = 0;
-  return {curve_choice_number("array_places", translatable("Places"),
-                              {translatable("By count"), translatable("By spacing")}, 0),
-          count_of_places(usual_count),
-          spacing,
-          curve_choice_number(
-              "array_turning", translatable("Turning"),
-              {translatable("With the curve"), translatable("Upright"), translatable("Not turned")}, 0),
-          distance_number("array_offset", translatable("Offset"), 0),
-          curve_choice_number("array_begin", translatable("First place"),
-                              {translatable("As it stands"), translatable("On the curve")}, 0),
-          curve_choice_number("array_direction", translatable("Direction"),
-                              {translatable("Forward"), translatable("Backward")}, nearer_to_end ? 1 : 0),
-          kind_of_copies()};
+  return {
+      choice_number("array_places", translatable("Places"),
+                    {translatable("By count"), translatable("By spacing")}),
+      count_of_places(usual_count),
+      spacing,
+      choice_number("array_turning", translatable("Turning"),
+                    {translatable("With the curve"), translatable("Upright"), translatable("Not turned")}),
+      distance_number("array_offset", translatable("Offset"), 0),
+      choice_number("array_begin", translatable("First place"),
+                    {translatable("As it stands"), translatable("On the curve")}),
+      choice_number("array_direction", translatable("Direction"),
+                    {translatable("Forward"), translatable("Backward")}, nearer_to_end ? 1 : 0),
+      kind_of_copies()};
 }
 
 void make_along_curve(Editor& editor) {
@@ -309,20 +301,63 @@ ScriptUse along_in_scripts(Editor& editor) {
 
 void add_curve_array_command(CommandHost& host) {
   Editor& editor = host.editor;
-  host.table.add({.id = "object.array_curve",
-                  .menu = arrange_menu(),
-                  .label = "Array along a curve\u2026",
-                  .help = "Copies of the chosen objects along selected edges, the path of a skin or an "
-                          "outline; count, spacing and turning can be changed right afterwards.",
-                  .changes_document = true,
-                  .run = [&editor] { make_along_curve(editor); },
-                  .why_not = [&editor, object = needs_object(editor)]() -> Reason {
-                    if (auto reason = object()) return reason;
-                    const auto choice = chosen_curve(editor);
-                    return choice ? Reason() : Reason(choice.error().text);
-                  },
-                  .contexts = Context::object,
-                  .script = along_in_scripts(editor)});
+  MenuRows(host.table, arrange_menu())
+      .add_edit(
+          "object.array_curve", "Array along a curve\u2026",
+          "Copies of the chosen objects along selected edges, the path of a skin or an outline; count, "
+          "spacing "
+          "and turning can be changed right afterwards.",
+          [&editor] { make_along_curve(editor); },
+          [&editor, object = needs_object(editor)]() -> Reason {
+            if (auto reason = object()) return reason;
+            const auto choice = chosen_curve(editor);
+            return choice ? Reason() : Reason(choice.error().text);
+          },
+          {.contexts = Context::object, .script = along_in_scripts(editor)});
+}
+
+// Commands that make objects of live copies, and that take live copies away.
+
+namespace {
+
+void make_objects_of_copies(Editor& editor) {
+  const std::vector<ObjectId> originals = chosen_ids(editor);
+  make_copies(editor, copies_to_objects(editor.history.current(), originals), originals,
+              translatable("Make copies objects"));
+}
+
+void remove_live_copies(Editor& editor) {
+  Result<Document> result = editor.history.current();
+  for (const auto& object : chosen_objects(editor))
+    if (result && !object->copies->empty()) result = set_copies(*result, object->id, {});
+  editor.commit(result, translatable("Remove live copies"));
+}
+
+WhyNot needs_live_copies(const Editor& editor) {
+  return only_if(
+      needs_object(editor),
+      [&editor] {
+        return std::ranges::any_of(chosen_objects(editor),
+                                   [](const auto& object) { return !object->copies->empty(); });
+      },
+      translatable("What is chosen has no live copies."));
+}
+
+}  // namespace
+
+void add_live_copy_commands(CommandHost& host) {
+  Editor& editor = host.editor;
+  MenuRows rows(host.table, arrange_menu());
+  rows.add_edit(
+      "object.copies_to_objects", "Make copies objects",
+      "Objects of their own in the place of the live copies of the chosen objects: an array that is taken "
+      "apart.",
+      [&editor] { make_objects_of_copies(editor); }, needs_live_copies(editor),
+      {.separator_before = true, .contexts = Context::object});
+  rows.add_edit(
+      "object.remove_copies", "Remove live copies",
+      "The chosen objects stay at their own places alone, without the other places of their arrays.",
+      [&editor] { remove_live_copies(editor); }, needs_live_copies(editor), {.contexts = Context::object});
 }
 
 }  // namespace hariko

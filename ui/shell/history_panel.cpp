@@ -1,6 +1,8 @@
 // The history panel: the steps by name, oldest first; a click goes there.
 
 #include "ui/base/icons.hpp"
+#include "ui/widgets/items.hpp"
+#include "ui/widgets/lists.hpp"
 #include "ui/widgets/panels.hpp"
 #include "ui/widgets/tips.hpp"
 
@@ -18,17 +20,16 @@ void step_row(PanelContext& context, const std::string& label, std::size_t posit
   Editor& editor = context.editor;
   const std::size_t current = editor.history.position();
   const bool is_current = position == current;
-  ImGui::PushID(static_cast<int>(position));
-  // What could be redone is dim.
+  // Steps that could be redone are dim.
   const TextColour colour(position > current ? palette().dim_text : palette().text);
-  if (ImGui::Selectable("##step", is_current, 0, {0, context.metrics.px(22)}) && !is_current)
+  if (selectable_row(context.marks, "step." + std::to_string(position), "", is_current,
+                     {0, context.metrics.px(22)}) &&
+      !is_current)
     editor.go_to_step(position);
-  context.marks.item("step." + std::to_string(position));
   ImGui::SameLine(context.metrics.px(14));
-  ImGui::TextUnformatted(is_current ? icon::current : " ");
+  plain_text(is_current ? icon::current : " ");
   ImGui::SameLine(context.metrics.px(34));
-  ImGui::TextUnformatted(label.c_str());
-  ImGui::PopID();
+  plain_text(label);
 }
 
 }  // namespace
@@ -47,29 +48,25 @@ void draw_history(PanelContext& context, const PanelRect& rect) {
   if (begin_panel("History", rect, palette().panel, {m.px(12), m.px(4)}, ImGuiWindowFlags_NoScrollbar)) {
     ImGui::SetNextItemOpen(context.state.history_open);
     const bool open =
-        ImGui::TreeNodeEx("##history",
-                          ImGuiTreeNodeFlags_SpanAvailWidth | ImGuiTreeNodeFlags_NoTreePushOnOpen |
-                              ImGuiTreeNodeFlags_FramePadding,
-                          "%s", context.tr("History"));
-    context.marks.item("section.history");
+        folding_heading(context, "history", translatable("History"), ImGuiTreeNodeFlags_FramePadding);
     context.state.history_open = open;
     const std::string used = megabytes(editor.history.bytes());
     ImGui::SameLine(rect.width() - ImGui::CalcTextSize(used.c_str()).x - m.px(14));
-    ImGui::TextDisabled("%s", used.c_str());
+    dim_text(used);
     if (ImGui::IsItemHovered())
       show_tip(fill(context.tr("Memory of all steps, of {0} at the most; the oldest are forgotten first."),
                     {megabytes(editor.history.byte_limit())}));
     if (open) {
       ImGui::BeginChild("steps", {0, 0}, false, ImGuiWindowFlags_NavFlattened);
-      const std::vector<std::string> labels = editor.history.labels();
+      const std::vector<Phrase> labels = editor.history.phrases();
       ImGuiListClipper clipper;
       clipper.Begin(static_cast<int>(labels.size()) + 1);
       while (clipper.Step())
         for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i)
-          step_row(
-              context,
-              i == 0 ? context.tr("Beginning") : context.tr.phrase(labels[static_cast<std::size_t>(i - 1)]),
-              static_cast<std::size_t>(i));
+          step_row(context,
+                   i == 0 ? std::string(context.tr("Beginning"))
+                          : context.tr(labels[static_cast<std::size_t>(i - 1)]),
+                   static_cast<std::size_t>(i));
       // New steps come into view.
       if (context.state.history_shown != editor.history.serial()) {
         context.state.history_shown = editor.history.serial();

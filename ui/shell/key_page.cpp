@@ -2,15 +2,15 @@
 
 #include <GLFW/glfw3.h>
 #include <imgui.h>
-#include <imgui_stdlib.h>
 
 #include <algorithm>
 
 #include "ui/base/fuzzy.hpp"
 #include "ui/base/icons.hpp"
-#include "ui/base/text_lines.hpp"
 #include "ui/shell/preferences.hpp"
 #include "ui/widgets/command_menu.hpp"
+#include "ui/widgets/inputs.hpp"
+#include "ui/widgets/items.hpp"
 #include "ui/widgets/overlay_window.hpp"
 #include "ui/widgets/tips.hpp"
 
@@ -29,7 +29,7 @@ bool KeyPage::key(Editor& editor, const CommandTable& commands, const KeyChord& 
     return true;
   }
   if (wanted_) {
-    if (chord.key == GLFW_KEY_ENTER || chord.key == GLFW_KEY_KP_ENTER) assign(editor, commands);
+    if (chord.key == GLFW_KEY_ENTER) assign(editor, commands);
     return true;
   }
   if (!chord.is_known()) return true;  // a modifier on its way to a chord
@@ -60,15 +60,12 @@ void KeyPage::draw(PanelContext& context) {
   const auto button_width = [&](const char* label) {
     return ImGui::CalcTextSize(label).x + 2 * style.FramePadding.x + style.ItemSpacing.x;
   };
-  ImGui::SetNextItemWidth(-(button_width(import) + button_width(export_)));
-  ImGui::InputTextWithHint("##search", tr("Search by name or key"), &search_);
-  context.marks.item("preferences.search");
+  text_field(context.marks, "preferences.search", search_, -(button_width(import) + button_width(export_)),
+             tr("Search by name or key"));
   ImGui::SameLine();
-  if (ImGui::Button((std::string(import) + "###import").c_str())) context.run("edit.import_keys");
-  context.marks.item("preferences.keys.import");
+  if (text_button(context.marks, "preferences.keys.import", import)) context.run("edit.import_keys");
   ImGui::SameLine();
-  if (ImGui::Button((std::string(export_) + "###export").c_str())) context.run("edit.export_keys");
-  context.marks.item("preferences.keys.export");
+  if (text_button(context.marks, "preferences.keys.export", export_)) context.run("edit.export_keys");
   if (wanted_ && !recording_.empty()) draw_conflict(context);
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(m.px(4), m.px(4)));
   if (ImGui::BeginChild("list", {0, 0}, false, ImGuiWindowFlags_NavFlattened)) {
@@ -95,26 +92,22 @@ void KeyPage::draw_conflict(PanelContext& context) {
   const Command* owner = context.commands.find(*wanted_);
   const Command* command = context.commands.find(recording_);
   if (!owner || !command) return recording_.clear();
-  const TextColour colour(palette().warning);
-  text_in_lines(fill(tr("{0} belongs to \u201c{1}\u201d. Give it to \u201c{2}\u201d instead?"),
-                     {wanted_->to_string(), tr(owner->label), tr(command->label)}));
+  coloured_lines(palette().warning,
+                 fill(tr("{0} belongs to \u201c{1}\u201d. Give it to \u201c{2}\u201d instead?"),
+                      {wanted_->to_string(), tr(owner->label), tr(command->label)}));
   context.marks.item("preferences.conflict");
-  ImGui::PushStyleColor(ImGuiCol_Text, palette().text);
-  if (ImGui::Button(tr("Replace"))) assign(context.editor, context.commands);
-  context.marks.item("preferences.replace");
+  if (text_button(context.marks, "preferences.replace", tr("Replace")))
+    assign(context.editor, context.commands);
   ImGui::SameLine();
-  if (ImGui::Button((std::string(tr("Cancel")) + "###cancel").c_str())) recording_.clear();
-  context.marks.item("preferences.keep");
-  ImGui::PopStyleColor();
+  if (text_button(context.marks, "preferences.keep", tr("Cancel"))) recording_.clear();
 }
 
 void KeyPage::draw_row(PanelContext& context, const Command& command) {
   const Metrics& m = context.metrics;
   const Language& tr = context.tr;
   ImGui::PushID(command.id.c_str());
-  ImGui::AlignTextToFramePadding();
   const float keys_at = ImGui::GetContentRegionAvail().x * 0.5F;
-  ImGui::TextUnformatted(elided(tr(command.label), keys_at - m.px(8)).c_str());
+  aligned_text(elided(tr(command.label), keys_at - m.px(8)));
   if (ImGui::IsItemHovered()) command_tooltip(context, command, {}, true);
   ImGui::SameLine(keys_at);
   auto keys = parse_keys(command.keys).value();
@@ -123,30 +116,28 @@ void KeyPage::draw_row(PanelContext& context, const Command& command) {
   for (std::size_t i = 0; i < keys.size(); ++i) {
     const bool here = recording && slot_ == i;
     const std::string text = here ? tr("Press a key\u2026") : keys[i].to_string();
-    if (ImGui::Button((text + "###" + std::to_string(i)).c_str())) record(command, i);
-    context.marks.item("preferences.key." + command.id + "." + std::to_string(i));
+    if (text_button(context.marks, "preferences.key." + command.id + "." + std::to_string(i), text))
+      record(command, i);
     if (ImGui::IsItemHovered()) show_tip(tr("Click and press another key. Right click removes this one."));
     if (ImGui::IsItemClicked(ImGuiMouseButton_Right)) removed = i;
     ImGui::SameLine();
   }
-  if (recording && slot_ >= keys.size()) {
-    ImGui::Button(tr("Press a key\u2026"));
-  } else if (icon_button(context, icon::add, "add", tr("Add a key"), false, 26)) {
+  const std::string add = "preferences.add." + command.id;
+  if (recording && slot_ >= keys.size())
+    text_button(context.marks, add, tr("Press a key\u2026"));
+  else if (icon_button(context, icon::add, add, tr("Add a key"), false, 26))
     record(command, keys.size());
-  }
-  context.marks.item("preferences.add." + command.id);
   if (command.keys != command.default_keys) {
     ImGui::SameLine();
     const std::string text =
         fill(tr("Back to the default: {0}"),
              {command.default_keys.empty() ? std::string(tr("no key")) : command.default_keys});
-    if (icon_button(context, icon::reset, "reset", text.c_str(), false, 26)) {
+    if (icon_button(context, icon::reset, "preferences.default." + command.id, text.c_str(), false, 26)) {
       const auto defaults = parse_keys(command.default_keys).value();
       context.editor.settings.keys =
           context.commands.with_keys(context.editor.settings.keys, command.id, defaults);
       recording_.clear();
     }
-    context.marks.item("preferences.default." + command.id);
   }
   if (removed) {
     keys.erase(keys.begin() + static_cast<std::ptrdiff_t>(*removed));

@@ -9,8 +9,9 @@
 #include <utility>
 
 #include "ui/base/icons.hpp"
-#include "ui/base/menu_letters.hpp"
+#include "ui/base/key_chord.hpp"
 #include "ui/widgets/command_menu.hpp"
+#include "ui/widgets/lists.hpp"
 #include "ui/widgets/overlay_window.hpp"
 
 namespace hariko {
@@ -30,7 +31,7 @@ float menu_width(const std::string& name) {
 }
 
 struct MenuBarFit {
-  std::size_t menus = 0;  ///< how many stand in the bar; the others go into the last one
+  std::size_t menus = 0;  ///< number that stands in the bar; the others go into the last one
   bool whole_field = false;
 };
 
@@ -66,9 +67,8 @@ void draw_letter(const PanelContext& context, const std::string& menu, ImDrawLis
   if (how == MenuLetters::with_alt && context.commands.find(KeyChord{letter, false, false, true})) return;
   const std::string name = context.tr(menu);
   const float height = ImGui::GetTextLineHeight(), line = context.metrics.px(2);
-  const auto place = std::find_if(name.begin(), name.end(), [letter](char c) {
-    return std::toupper(static_cast<unsigned char>(c)) == letter;
-  });
+  const auto place = std::ranges::find_if(
+      name, [letter](char c) { return std::toupper(static_cast<unsigned char>(c)) == letter; });
   if (place != name.end()) {
     const std::string before(name.begin(), place), own(1, *place);
     const float left = at.x + ImGui::CalcTextSize(before.c_str()).x, bottom = at.y + height;
@@ -91,13 +91,11 @@ void draw_menu(PanelContext& context, const std::string& menu) {
   ImVec2 at = ImGui::GetCursorScreenPos();
   at.y += GImGui->CurrentWindow->DC.CurrLineTextBaseOffset;
   ImDrawList& bar = *ImGui::GetWindowDrawList();
-  const bool shown = ImGui::BeginMenu(label.c_str());
-  context.marks.item("menu." + menu);
+  const OpenScope opened = menu_scope(context.marks, "menu." + menu, label);
   draw_letter(context, menu, bar, {at.x + ImGui::GetStyle().ItemSpacing.x / 2, at.y});
-  if (!shown) return;
+  if (!opened) return;
   context.state.menu_open = true;
   draw_menu_nodes(context, menu_tree(context.commands, menu), "command.");
-  ImGui::EndMenu();
 }
 
 /// The way to the palette for those who do not know its key; looks like a field. Gives its left end.
@@ -111,8 +109,7 @@ float search_field(PanelContext& context, bool whole) {
   ImGui::SetCursorPosX(left);
   const ImVec2 at(ImGui::GetCursorScreenPos().x, (ImGui::GetWindowHeight() - size.y) / 2);
   ImGui::SetCursorScreenPos(at);
-  const bool pressed = ImGui::InvisibleButton("search", size);
-  context.marks.item("menu.search");
+  const bool pressed = area_button(context.marks, "menu.search", size);
   const bool hovered = ImGui::IsItemHovered();
   if (hovered) command_tooltip(context, search, {}, true);
   ImDrawList& draw = *ImGui::GetWindowDrawList();
@@ -162,12 +159,8 @@ float draw_menu_bar(PanelContext& context) {
   const MenuBarFit fit = fit_menu_bar(context, menus, ImGui::CalcTextSize(title.c_str()).x);
   for (std::size_t i = 0; i < fit.menus; i++) draw_menu(context, menus[i]);
   if (fit.menus < menus.size()) {
-    const bool shown = ImGui::BeginMenu(more_menu);
-    context.marks.item("menu.more");
-    if (shown) {
-      for (std::size_t i = fit.menus; i < menus.size(); i++) draw_menu(context, menus[i]);
-      ImGui::EndMenu();
-    }
+    const OpenScope more = menu_scope(context.marks, "menu.more", more_menu);
+    for (std::size_t i = fit.menus; more && i < menus.size(); i++) draw_menu(context, menus[i]);
   }
   const float used = ImGui::GetCursorPosX();
   const float field = search_field(context, fit.whole_field);

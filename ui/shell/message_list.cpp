@@ -2,13 +2,12 @@
 
 #include <algorithm>
 
-#include "core/document/edits/edits.hpp"
 #include "core/patching/joins/join.hpp"
-#include "core/polyhedron/validation.hpp"
 #include "ui/base/icons.hpp"
-#include "ui/base/text_lines.hpp"
 #include "ui/outline/outline_rows.hpp"
+#include "ui/polyhedron/polyhedron_rows.hpp"
 #include "ui/skin/skin_properties.hpp"
+#include "ui/widgets/items.hpp"
 #include "ui/widgets/tips.hpp"
 
 namespace hariko {
@@ -22,17 +21,12 @@ bool message_row(PanelContext& context, const Message& message, int number) {
   const float start = ImGui::GetCursorPosX();
   const ImVec2 low = ImGui::GetCursorScreenPos();
   ImGui::BeginGroup();
-  {
-    const TextColour colour(error ? palette().error : palette().warning);
-    ImGui::TextUnformatted(error ? icon::error : icon::warning);
-  }
+  coloured_text(error ? palette().error : palette().warning, error ? icon::error : icon::warning);
   ImGui::SameLine(start + context.metrics.px(10));
   ImGui::BeginGroup();
   text_in_lines(context.tr.text_of(message));
-  if (const std::string remedy = context.tr.remedy_of(message); !remedy.empty()) {
-    const TextColour dim(palette().dim_text);
-    text_in_lines(remedy);
-  }
+  if (const std::string remedy = context.tr.remedy_of(message); !remedy.empty())
+    coloured_lines(palette().dim_text, remedy);
   ImGui::EndGroup();
   ImGui::EndGroup();
   context.marks.item("message." + std::to_string(number));
@@ -49,22 +43,8 @@ bool message_row(PanelContext& context, const Message& message, int number) {
 /// Joined patches that do not fit: one of them can follow the surface instead.
 void draw_adapt(PanelContext& context, const Message& error) {
   if (!(error.code == e_join_corner) && !(error.code == e_join_twist)) return;
-  if (ImGui::Button(context.tr("Let the patch adapt"), {-1, 0})) context.run("shape.adapt_patch");
-  context.marks.item("button.adapt_patch");
-}
-
-/// What the panel itself can do about a message of the object; nothing where that is for the designer.
-void draw_fix(PanelContext& context, const Object& object, const std::vector<Message>& warnings) {
-  const bool concave = std::any_of(warnings.begin(), warnings.end(),
-                                   [](const Message& warning) { return warning.code == w_concave_face; });
-  if (!concave || !object.polyhedron() || object.locked) return;
-  if (ImGui::Button(context.tr("Split concave faces in the surface"), {-1, 0})) {
-    Preparation preparation = object.polyhedron()->preparation;
-    preparation.split_concave = true;
-    context.editor.commit(set_preparation(context.editor.history.current(), object.id, preparation),
-                          "Split concave faces");
-  }
-  context.marks.item("button.split_concave");
+  if (text_button(context.marks, "button.adapt_patch", context.tr("Let the patch adapt"), -1))
+    context.run("shape.adapt_patch");
 }
 
 }  // namespace
@@ -100,14 +80,13 @@ void draw_message_list(PanelContext& context, const Object& object) {
     ++number;
   };
   if (view->error) row(*view->error);
-  constexpr std::size_t most = 200;  // of rows of any height, in one frame
+  constexpr std::size_t most = 200;  // rows of any height in one frame
   for (std::size_t i = 0; i < std::min(most, view->warnings.size()); ++i) row(view->warnings[i]);
   if (view->warnings.size() > most)
-    ImGui::TextDisabled(
-        "%s", fill(context.tr("and {0} more"), {std::to_string(view->warnings.size() - most)}).c_str());
+    dim_text(fill(context.tr("and {0} more"), {std::to_string(view->warnings.size() - most)}));
   if (view->error) draw_adapt(context, *view->error);
   if (view->error) draw_outline_fix(context, object, *view->error);
-  draw_fix(context, object, view->warnings);
+  draw_concave_fix(context, object, view->warnings);
   draw_skin_fix(context, object, *view);
   if (clicked) show_element(context.editor, object.id, *clicked);
 }

@@ -1,24 +1,25 @@
-// Commands on whole objects: name, visibility, lock, order, copies. They act on all that are chosen.
+// Commands on whole objects: name, visibility, lock, order, copies, groups. They act on all that are chosen.
 
 #include <algorithm>
 
+#include "core/document/edits/edit_groups.hpp"
 #include "core/document/edits/edits.hpp"
 #include "ui/base/icons.hpp"
+#include "ui/editor/chosen_group.hpp"
 #include "ui/editor/command_host.hpp"
-#include "ui/editor/named_objects.hpp"
 #include "ui/editor/selected_items.hpp"
 
 namespace hariko {
 
 namespace {
 
-std::string counted_step(const char* one, const char* many, std::size_t count) {
-  return count == 1 ? one : fill(many, {std::to_string(count)});
+Phrase counted_step(const char* one, const char* many, std::size_t count) {
+  return Phrase::counted(count, one, many);
 }
 
 /// One edit after the other, as one step; nothing happens when one is refused.
 template <class Ids, class Edit>
-void edit_each(Editor& editor, const Ids& ids, const std::string& step, const Edit& edit) {
+void edit_each(Editor& editor, const Ids& ids, const Phrase& step, const Edit& edit) {
   Result<Document> result = editor.history.current();
   for (const ObjectId id : ids)
     if (result.ok()) result = edit(*result, id);
@@ -46,8 +47,7 @@ void hide_chosen(Editor& editor) {
 }
 
 bool any_hidden(const Editor& editor) {
-  const auto& objects = editor.document().objects;
-  return std::any_of(objects.begin(), objects.end(), [](const auto& object) { return !object->visible; });
+  return std::ranges::any_of(editor.document().objects, [](const auto& object) { return !object->visible; });
 }
 
 void show_hidden(Editor& editor) {
@@ -79,9 +79,7 @@ void delete_chosen(Editor& editor) {
                      counted_step("Delete object", "Delete {0} objects", ids.size())))
     return;
   if (attached > 0)
-    editor.notify(Notice::Kind::info,
-                  fill(editor.language("Attached edges that keep a copy of their side: {0}"),
-                       {std::to_string(attached)}));
+    editor.inform({"Attached edges that keep a copy of their side: {0}", {std::to_string(attached)}});
 }
 
 /// All chosen objects one place up or down.
@@ -101,75 +99,41 @@ WhyNot needs_others(const Editor& editor) {
 }
 
 void add_visibility_commands(CommandTable& table, Editor& editor, const WhyNot& object) {
-  table.add({.id = "object.hide",
-             .menu = "Edit",
-             .label = "Hide",
-             .help = "Hide the chosen objects.",
-             .keys = "H",
-             .icon = icon::hidden,
-             .changes_document = true,
-             .separator_before = true,
-             .run = [&editor] { hide_chosen(editor); },
-             .why_not = object,
-             .contexts = Context::object});
-  table.add({.id = "object.isolate",
-             .menu = "Edit",
-             .label = "Isolate",
-             .help = "Hide all other objects.",
-             .keys = "Shift+H",
-             .changes_document = true,
-             .run = [&editor] { isolate(editor); },
-             .why_not = needs_others(editor),
-             .contexts = Context::object});
-  table.add(
-      {.id = "object.show_all",
-       .menu = "Edit",
-       .label = "Show all",
-       .help = "Show every object again.",
-       .keys = "Alt+H",
-       .icon = icon::shown,
-       .changes_document = true,
-       .run = [&editor] { show_hidden(editor); },
-       .why_not = only_if([&editor] { return any_hidden(editor); }, translatable("No object is hidden.")),
-       .script = {.arguments = {optional(list_argument("names", translatable("Objects")))},
-                  .run = [&editor](const Arguments& given) {
-                    given.has("names") ? show_named(editor, given.list("names")) : show_hidden(editor);
-                  }}});
-  table.add({.id = "object.lock",
-             .menu = "Edit",
-             .label = "Lock",
-             .help = "Protect the chosen objects from changes, or unlock them.",
-             .icon = icon::locked,
-             .changes_document = true,
-             // Unlocks where the active object is locked.
-             .run = [&editor] { lock_chosen(editor, !editor.active_object()->locked); },
-             .why_not = object,
-             .checked = [&editor] { return editor.active_object() && editor.active_object()->locked; },
-             .contexts = Context::object,
-             .script = {.arguments = {on_off_argument("on", translatable("Lock"), true)},
-                        .run = [&editor](const Arguments& given) { lock_chosen(editor, given.on("on")); },
-                        .read =
-                            [](const Object& object) {
-                              return std::vector{written_switch("on", object.locked_itself())};
+  MenuRows rows(table, "Edit");
+  rows.add_edit("object.hide", "Hide", "Hide the chosen objects.", [&editor] { hide_chosen(editor); }, object,
+                {.keys = "H", .icon = icon::hidden, .separator_before = true, .contexts = Context::object});
+  rows.add_edit("object.isolate", "Isolate", "Hide all other objects.", [&editor] { isolate(editor); },
+                needs_others(editor), {.keys = "Shift+H", .contexts = Context::object});
+  rows.add_edit("object.show_all", "Show all", "Show every object again.", [&editor] { show_hidden(editor); },
+                only_if([&editor] { return any_hidden(editor); }, translatable("No object is hidden.")),
+                {.keys = "Alt+H",
+                 .icon = icon::shown,
+                 .script = {.arguments = {optional(list_argument("names", translatable("Objects")))},
+                            .run = [&editor](const Arguments& given) {
+                              given.has("names") ? show_named(editor, given.list("names"))
+                                                 : show_hidden(editor);
                             }}});
+  // Unlocks where the active object is locked.
+  rows.add_edit(
+      "object.lock", "Lock", "Protect the chosen objects from changes, or unlock them.",
+      [&editor] { lock_chosen(editor, !editor.active_object()->locked); }, object,
+      {.icon = icon::locked,
+       .checked = [&editor] { return editor.active_object() && editor.active_object()->locked; },
+       .contexts = Context::object,
+       .script = {
+           .arguments = {on_off_argument("on", translatable("Lock"), true)},
+           .run = [&editor](const Arguments& given) { lock_chosen(editor, given.on("on")); },
+           .read = [](const Object& of) { return std::vector{written_switch("on", of.locked_itself())}; }}});
 }
 
 void add_order_commands(CommandTable& table, Editor& editor) {
-  table.add({.id = "object.move_up",
-             .menu = "Edit",
-             .label = "Move up in the list",
-             .help = "One place up in the list of objects.",
-             .changes_document = true,
-             .separator_before = true,
-             .run = [&editor] { move_in_order(editor, false); },
-             .why_not = needs_others(editor)});
-  table.add({.id = "object.move_down",
-             .menu = "Edit",
-             .label = "Move down in the list",
-             .help = "One place down in the list of objects.",
-             .changes_document = true,
-             .run = [&editor] { move_in_order(editor, true); },
-             .why_not = needs_others(editor)});
+  MenuRows rows(table, "Edit");
+  rows.add_edit("object.move_up", "Move up in the list", "One place up in the list of objects.",
+                [&editor] { move_in_order(editor, false); }, needs_others(editor),
+                {.separator_before = true});
+  rows.add_edit(
+      "object.move_down", "Move down in the list", "One place down in the list of objects.",
+      [&editor] { move_in_order(editor, true); }, needs_others(editor));
 }
 
 }  // namespace
@@ -178,16 +142,13 @@ void add_object_commands(CommandHost& host) {
   CommandTable& table = host.table;
   Editor& editor = host.editor;
   const WhyNot object = needs_object(editor);
-  table.add(
-      {.id = "object.rename",
-       .menu = "Edit",
-       .label = "Rename object",
-       .help = "Type another name.",
-       .keys = "F2",
+  MenuRows rows(host.table, "Edit");
+  rows.add(
+      "object.rename", "Rename object", "Type another name.", [&editor] { editor.rename_wanted = true; },
+      object,
+      {.keys = "F2",
        .separator_before = true,
        .needs_window = true,
-       .run = [&editor] { editor.rename_wanted = true; },
-       .why_not = object,
        .contexts = Context::object,
        .script = {.arguments = {text_argument("name", translatable("Name"))},
                   .run =
@@ -197,26 +158,70 @@ void add_object_commands(CommandHost& host) {
                                       "Rename object");
                       },
                   .read = [](const Object& object) { return std::vector{written("name", object.name)}; }}});
-  table.add({.id = "object.duplicate",
-             .menu = "Edit",
-             .label = "Duplicate object",
-             .help = "Copy the chosen objects in place.",
-             .keys = "Ctrl+D",
-             .changes_document = true,
-             .run = [&editor] { duplicate(editor); },
-             .why_not = object,
-             .contexts = Context::object});
-  table.add({.id = "object.delete",
-             .menu = "Edit",
-             .label = "Delete object",
-             .help = "Delete the chosen objects.",
-             .keys = "Shift+Del",
-             .icon = icon::trash,
-             .changes_document = true,
-             .run = [&editor] { delete_chosen(editor); },
-             .why_not = object});
+  rows.add_edit("object.duplicate", "Duplicate object", "Copy the chosen objects in place.",
+                [&editor] { duplicate(editor); }, object, {.keys = "Ctrl+D", .contexts = Context::object});
+  rows.add_edit("object.delete", "Delete object", "Delete the chosen objects.",
+                [&editor] { delete_chosen(editor); }, object, {.keys = "Shift+Del", .icon = icon::trash});
   add_visibility_commands(table, editor, object);
   add_order_commands(table, editor);
+}
+
+namespace {
+
+void group_chosen(Editor& editor, const std::string& name) {
+  const auto added = make_group(editor.history.current(), chosen_ids(editor), name);
+  if (!added) return editor.notify(added.error());
+  if (editor.commit(added->document, "Group objects")) editor.chosen_group.choose(editor, added->id);
+}
+
+void ungroup_chosen(Editor& editor) {
+  const auto ids = chosen_ids(editor);
+  if (editor.commit(ungroup(editor.history.current(), chosen_groups(editor)), "Ungroup"))
+    choose_objects(editor, ids);
+}
+
+/// Innermost group of the active object that is not chosen as a whole; the outermost one where all are.
+GroupId next_group(const Editor& editor) {
+  const Object* active = editor.active_object();
+  if (!active) return {};
+  const Document& document = editor.document();
+  const std::vector<GroupId> whole = chosen_groups(editor);
+  const GroupTree tree(document);
+  GroupId group = active->group;
+  while (group != GroupId{}) {
+    const bool has_all = std::ranges::any_of(whole, [&](GroupId all) { return tree.is_within(group, all); });
+    const GroupId round = find_group(*document.groups, group)->parent;
+    if (!has_all || round == GroupId{}) return group;
+    group = round;
+  }
+  return group;
+}
+
+}  // namespace
+
+void add_group_commands(CommandHost& host) {
+  Editor& editor = host.editor;
+  MenuRows rows(host.table, submenu("Edit", translatable("Groups")));
+  rows.add_edit(
+      "group.make", "Group", "Put the chosen objects into a new group of the list.",
+      [&editor] {
+        group_chosen(editor, free_group_name(editor.history.current(), editor.language("Group")));
+      },
+      needs_object(editor),
+      {.keys = "Ctrl+G", .icon = icon::folder, .separator_before = true, .contexts = Context::object});
+  rows.add_edit("group.dissolve", "Ungroup", "Dissolve the chosen groups; what they contain stays.",
+                [&editor] { ungroup_chosen(editor); },
+                only_if(
+                    needs_object(editor), [&editor] { return !chosen_groups(editor).empty(); },
+                    translatable("No group is chosen. Click a group in the list of objects.")),
+                {.keys = "Ctrl+Shift+G", .contexts = Context::object});
+  rows.add("group.select", "Select group",
+           "Select everything in the group of the active object, then the group round it.",
+           [&editor] { editor.chosen_group.choose(editor, next_group(editor)); },
+           only_if(
+               needs_object(editor), [&editor] { return editor.active_object()->group != GroupId{}; },
+               translatable("The active object is in no group.")),
+           {.contexts = Context::object});
 }
 
 }  // namespace hariko

@@ -1,7 +1,6 @@
 // The outliner: objects of the document in their groups. Rename, hide, lock, choose and drag them.
 
 #include <imgui.h>
-#include <imgui_stdlib.h>
 
 #include <algorithm>
 #include <array>
@@ -10,8 +9,14 @@
 #include "core/base/text/natural_order.hpp"
 #include "ui/base/fuzzy.hpp"
 #include "ui/base/icons.hpp"
+#include "ui/editor/object_kind.hpp"
 #include "ui/editor/selected_items.hpp"
 #include "ui/shell/outliner_rows.hpp"
+#include "ui/widgets/command_menu.hpp"
+#include "ui/widgets/inputs.hpp"
+#include "ui/widgets/items.hpp"
+#include "ui/widgets/lists.hpp"
+#include "ui/widgets/option_fields.hpp"
 #include "ui/widgets/overlay_window.hpp"
 #include "ui/widgets/panels.hpp"
 #include "ui/widgets/tips.hpp"
@@ -105,20 +110,23 @@ void object_name_field(PanelContext& context, const Object& object, float width)
 }
 
 /// A small button at the right end of a row: shown when it says something, or under the pointer.
-bool row_switch(PanelContext& context, const char* symbol, const char* id, const char* tooltip, bool always,
-                float x) {
+bool row_switch(PanelContext& context, const char* symbol, const std::string& mark, const char* tooltip,
+                bool always, float x) {
   if (!always) return false;
   ImGui::SameLine(x);
-  const bool pressed = icon_button(context, symbol, id, tooltip, false, 24);
-  return pressed;
+  return icon_button(context, symbol, mark, tooltip, false, 24);
+}
+
+/// A mark behind the name of an object.
+void draw_badge(const char* text, ImU32 colour, float x) {
+  ImGui::SameLine(x);
+  ImGui::AlignTextToFramePadding();
+  coloured_text(colour, text);
 }
 
 void badge(PanelContext& context, const SurfaceView* view, float x) {
   if (!view || (!view->error && view->warnings.empty())) return;
-  ImGui::SameLine(x);
-  ImGui::AlignTextToFramePadding();
-  const TextColour colour(view->error ? palette().error : palette().warning);
-  ImGui::TextUnformatted(view->error ? icon::error : icon::warning);
+  draw_badge(view->error ? icon::error : icon::warning, view->error ? palette().error : palette().warning, x);
   if (!ImGui::IsItemHovered()) return;
   const TextColour bright(palette().text);
   const Message& message = view->error ? *view->error : view->warnings.front();
@@ -133,37 +141,34 @@ constexpr std::array mirror_names{translatable("Live mirror X"), translatable("L
 
 /// Says that what is modelled is half of what is seen.
 void mirror_badge(PanelContext& context, const Object& object, float x) {
-  ImGui::SameLine(x);
-  ImGui::AlignTextToFramePadding();
-  {
-    const TextColour colour(palette().secondary);
-    ImGui::TextUnformatted(icon::mirror);
-  }
+  draw_badge(icon::mirror, palette().secondary, x);
   context.marks.item("mirror." + std::to_string(object.id.value));
   if (ImGui::IsItemHovered())
-    show_tip(context.tr(mirror_names[static_cast<std::size_t>(object.polyhedron()->mirror->axis)]));
+    show_tip(context.tr(mirror_names[static_cast<std::size_t>(object.live_mirror()->axis)]));
+}
+
+/// Number of places of an object with live copies, as its row shows it; empty for others.
+std::string text_of_places(const Object& object) {
+  return object.copies->empty() ? std::string() : "\u00d7" + std::to_string(place_count(object));
+}
+
+/// Says that the object stands at more places than one.
+void places_badge(PanelContext& context, const Object& object, const std::string& text, float x) {
+  draw_badge(text.c_str(), palette().secondary, x);
+  context.marks.item("copies." + std::to_string(object.id.value));
+  if (ImGui::IsItemHovered())
+    show_tip(fill(context.tr("Live copies: {0} places in all"), {std::to_string(place_count(object))}));
 }
 
 void context_menu(PanelContext& context, const Object& object) {
-  if (!ImGui::BeginPopupContextItem("menu")) return;
+  const OpenScope menu = item_menu_scope();
+  if (!menu) return;
   if (!chosen(context.editor, object.id)) click_row(context, object.id);
-  for (const char* id : {"object.rename", "object.duplicate", "object.delete", "", "object.hide",
-                         "object.isolate", "object.show_all", "object.lock", "", "object.move_up",
-                         "object.move_down", "", "view.frame_selection"}) {
-    const Command* command = *id ? context.commands.find(id) : nullptr;
-    if (!command) {
-      ImGui::Separator();
-      continue;
-    }
-    const auto reason = command->why_not ? command->why_not() : std::nullopt;
-    if (ImGui::MenuItem(context.tr(command->label).c_str(), command->keys.c_str(),
-                        command->checked && command->checked(), !reason))
-      context.run(id);
-    context.marks.item(std::string("outliner.") + id);
-    if (reason && ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled))
-      show_tip(context.tr.phrase(*reason));
-  }
-  ImGui::EndPopup();
+  draw_menu_items(context,
+                  {"object.rename", "object.duplicate", "object.delete", "", "object.hide", "object.isolate",
+                   "object.show_all", "object.lock", "", "object.move_up", "object.move_down", "",
+                   "view.frame_selection"},
+                  "outliner.");
 }
 
 /// Lock and eye at the right end of a row: the object's own switches.
@@ -174,17 +179,16 @@ void object_switches(PanelContext& context, const Object& object, bool hovered, 
   // The keyboard finds it as well: what comes with the pointer alone would be gone again under its ring.
   const bool has_lock =
       locked || hovered || (ImGui::GetIO().ConfigFlags & ImGuiConfigFlags_NavEnableKeyboard) != 0;
-  if (row_switch(context, locked ? icon::locked : icon::unlocked, "lock", locked ? "Unlock" : "Lock",
-                 has_lock, right - m.px(52)))
+  const std::string number = std::to_string(object.id.value);
+  if (row_switch(context, locked ? icon::locked : icon::unlocked, "lock." + number,
+                 locked ? "Unlock" : "Lock", has_lock, right - m.px(52)))
     editor.commit(set_locked(editor.history.current(), object.id, !locked),
                   locked ? "Unlock object" : "Lock object");
-  if (has_lock) context.marks.item("lock." + std::to_string(object.id.value));
   ImGui::SameLine(right - m.px(26));
-  if (icon_button(context, visible ? icon::shown : icon::hidden, "visible", visible ? "Hide" : "Show", false,
-                  24))
+  if (icon_button(context, visible ? icon::shown : icon::hidden, "eye." + number, visible ? "Hide" : "Show",
+                  false, 24))
     editor.commit(set_visible(editor.history.current(), object.id, !visible),
                   visible ? "Hide object" : "Show object");
-  context.marks.item("eye." + std::to_string(object.id.value));
 }
 
 /// An object that is dragged is chosen, if it is not yet.
@@ -204,15 +208,14 @@ void object_row(PanelContext& context, const Document& document, const OutlinerR
   const float left = ImGui::GetCursorPosX(), right = left + ImGui::GetContentRegionAvail().x;
   const float begin = left + row_indent(m, row.depth);
   const bool renaming = state.renaming == object.id;
-  const bool pressed = ImGui::Selectable(
-      "##row", chosen(editor, object.id),
-      ImGuiSelectableFlags_AllowItemOverlap | ImGuiSelectableFlags_AllowDoubleClick, {0, side});
+  const bool pressed = selectable_row(
+      context.marks, "object." + std::to_string(object.id.value), "", chosen(editor, object.id), {0, side},
+      ImGuiSelectableFlags_AllowItemOverlap | ImGuiSelectableFlags_AllowDoubleClick);
   const Modifiers modifiers = modifiers_of_press();
   if (pressed) {
     click_row(context, object.id, modifiers);
     if (ImGui::IsMouseDoubleClicked(0)) start_renaming(context, object);
   }
-  context.marks.item("object." + std::to_string(object.id.value));
   const bool hovered = ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem);
   ImGui::SetItemAllowOverlap();
   // Another order is for finding, and has no places to drop at.
@@ -223,15 +226,19 @@ void object_row(PanelContext& context, const Document& document, const OutlinerR
   ImGui::SameLine(begin + m.px(6));
   ImGui::AlignTextToFramePadding();
   const TextColour colour(object.visible ? palette().text : palette().dim_text);
-  ImGui::TextUnformatted(object.picture() ? icon::picture : object.mesh() ? icon::mesh : icon::object);
+  plain_text(object_kind(object).list_icon());
   ImGui::SameLine(begin + m.px(28));
-  const bool mirrored = object.polyhedron() && object.polyhedron()->mirror;
-  const float name_end = right - m.px(mirrored ? 106.0F : 84.0F);
+  const bool mirrored = object.live_mirror() != nullptr;
+  const std::string places = text_of_places(object);
+  const float marks_begin = right - m.px(mirrored ? 106.0F : 84.0F);
+  const float places_begin = marks_begin - ImGui::CalcTextSize(places.c_str()).x;
+  const float name_end = places.empty() ? marks_begin : places_begin - m.px(6);
   if (renaming) {
     object_name_field(context, object, name_end - ImGui::GetCursorPosX());
   } else {
-    ImGui::TextUnformatted(elided(object.name, name_end - ImGui::GetCursorPosX()).c_str());
+    plain_text(elided(object.name, name_end - ImGui::GetCursorPosX()));
   }
+  if (!places.empty()) places_badge(context, object, places, places_begin);
   if (mirrored) mirror_badge(context, object, right - m.px(100));
   badge(context, editor.view_of(object.id), right - m.px(78));
   object_switches(context, object, hovered, right);
@@ -244,8 +251,7 @@ void arrow_keys(PanelContext& context) {
   if (!ImGui::IsWindowFocused(ImGuiFocusedFlags_RootAndChildWindows) || ImGui::GetIO().WantTextInput) return;
   // Then they go from item to item.
   if ((ImGui::GetIO().ConfigFlags & ImGuiConfigFlags_NavEnableKeyboard) != 0) return;
-  const int by = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_DownArrow)) -
-                 ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_UpArrow));
+  const int by = arrow_step();
   const std::vector<ObjectId>& rows = context.state.outliner.shown;
   const auto active = std::find(rows.begin(), rows.end(), editor.selection.active);
   if (by == 0 || active == rows.end()) return;
@@ -289,23 +295,17 @@ constexpr std::size_t many_objects = 8;
 /// A field to search in, and the order of the rows.
 void search_row(PanelContext& context) {
   OutlinerState& state = context.state.outliner;
-  const float order = context.metrics.px(112);
-  ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - order - ImGui::GetStyle().ItemSpacing.x);
-  ImGui::InputTextWithHint("##search", context.tr("Search objects"), &state.search,
-                           ImGuiInputTextFlags_AutoSelectAll);
-  context.marks.item("outliner.search");
+  constexpr float order_width = 112;
+  text_field(
+      context.marks, "outliner.search", state.search,
+      ImGui::GetContentRegionAvail().x - context.metrics.px(order_width) - ImGui::GetStyle().ItemSpacing.x,
+      context.tr("Search objects"), ImGuiInputTextFlags_AutoSelectAll);
   ImGui::SameLine();
-  ImGui::SetNextItemWidth(order);
-  const auto current = static_cast<std::size_t>(state.order);
-  const bool open = ImGui::BeginCombo("##order", context.tr(order_names[current]));
-  context.marks.item("outliner.order");
-  if (!open) return;
-  for (std::size_t i = 0; i < order_names.size(); ++i) {
-    if (ImGui::Selectable(context.tr(order_names[i]), i == current))
-      state.order = static_cast<OutlinerState::Order>(i);
-    context.marks.item("outliner.order." + std::to_string(i));
-  }
-  ImGui::EndCombo();
+  std::vector<std::string> orders;
+  for (const char* name : order_names) orders.emplace_back(context.tr(name));
+  if (const auto order =
+          option_list(context, "outliner.order", order_width, orders, static_cast<std::size_t>(state.order)))
+    state.order = static_cast<OutlinerState::Order>(*order);
 }
 
 std::size_t row_count(const Document& document) {
@@ -330,9 +330,8 @@ void start_wanted_renaming(PanelContext& context, const Document& document) {
 /// Scrolls to what was chosen in the view.
 void bring_into_sight(const Editor& editor, OutlinerState& state, const std::vector<OutlinerRow>& rows,
                       float row) {
-  const auto active = std::find_if(rows.begin(), rows.end(), [&](const OutlinerRow& one) {
-    return one.member == Member(editor.selection.active);
-  });
+  const auto active = std::ranges::find_if(
+      rows, [&](const OutlinerRow& one) { return one.member == Member(editor.selection.active); });
   if (state.shown_active != editor.selection.active && active != rows.end()) {
     const float y = row * static_cast<float>(active - rows.begin());
     if (y < ImGui::GetScrollY() || y + row > ImGui::GetScrollY() + ImGui::GetWindowHeight())

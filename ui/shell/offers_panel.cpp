@@ -1,15 +1,15 @@
 #include "ui/shell/offers_panel.hpp"
 
 #include <algorithm>
-#include <array>
 #include <ctime>
 
 #include "ui/base/icons.hpp"
 #include "ui/base/text_lines.hpp"
-#include "ui/shell/crash_offer.hpp"
 #include "ui/widgets/application_services.hpp"
 #include "ui/widgets/card_focus.hpp"
 #include "ui/widgets/command_services.hpp"
+#include "ui/widgets/items.hpp"
+#include "ui/widgets/lists.hpp"
 #include "ui/widgets/sample_cards.hpp"
 #include "ui/widgets/tips.hpp"
 
@@ -81,14 +81,12 @@ void recovery_card(PanelContext& context, const RecoveryOffer& offer, float widt
   ImGui::SetCursorScreenPos({left, at.y + height - ImGui::GetFrameHeight() - m.px(10)});
   if (!offer.damaged) {
     ImGui::PushStyleColor(ImGuiCol_Button, with_alpha(palette().accent, 0.35F));
-    const bool pressed = ImGui::Button(tr("Recover"), {button, 0});
-    context.marks.item("recovery.recover");
+    const bool pressed = text_button(context.marks, "recovery.recover", tr("Recover"), button);
     if (by_key(context, "recover." + offer.id) || pressed) context.application.recover(offer.id);
     ImGui::PopStyleColor();
     ImGui::SameLine();
   }
-  const bool discarded = ImGui::Button(tr("Discard"), {button, 0});
-  context.marks.item("recovery.discard");
+  const bool discarded = text_button(context.marks, "recovery.discard", tr("Discard"), button);
   if (by_key(context, "discard." + offer.id) || discarded) context.application.discard_recovery(offer.id);
   ImGui::PopID();
   ImGui::SetCursorScreenPos({at.x, at.y + height + m.px(8)});
@@ -98,8 +96,9 @@ void recovery_card(PanelContext& context, const RecoveryOffer& offer, float widt
 bool recent_card(PanelContext& context, const RecentFile& file, ImVec2 size) {
   const Metrics& m = context.metrics;
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  bool clicked = area_button(file.path.c_str(), size);
-  context.marks.item("recent." + file.path.filename().string());
+  ImGui::PushID(file.path.c_str());  // several may have the same name
+  bool clicked = area_button(context.marks, "recent." + file.path.filename().string(), size);
+  ImGui::PopID();
   if (by_key(context, file.path.string())) clicked = true;
   const bool hovered = ImGui::IsItemHovered();
   if (hovered) show_tip(file.path.string() + "\n" + local_time_text(file.used_at));
@@ -171,7 +170,6 @@ void OffersDialog::draw(PanelContext& context) {
                                     : kind_ == Kind::recent ? 760
                                                             : 1000),
                                screen.x - m.px(40));
-  ImGui::SetNextWindowPos({screen.x / 2, screen.y / 2}, ImGuiCond_Always, {0.5F, 0.5F});
   ImGui::SetNextWindowSize({width, 0});
   ImGui::SetNextWindowSizeConstraints({width, 0}, {width, screen.y - m.px(80)});
   const bool crash_alone = context.offers.crash && context.offers.recoveries.empty();
@@ -180,8 +178,8 @@ void OffersDialog::draw(PanelContext& context) {
                                         : kind_ == Kind::recent ? tr("Recent files")
                                                                 : tr("Samples")) +
                             id;
-  if (!ImGui::BeginPopupModal(title.c_str(), nullptr, ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize))
-    return;
+  const OpenScope dialog = dialog_scope(title, ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize);
+  if (!dialog) return;
   const float inner = ImGui::GetContentRegionAvail().x;
   if (recovery) {
     draw_crash_offer(context, inner);
@@ -192,10 +190,48 @@ void OffersDialog::draw(PanelContext& context) {
     open_ = false;
   }
   ImGui::Dummy({0, m.px(4)});
-  if (ImGui::Button(recovery ? tr("Later") : tr("Cancel"), {m.px(110), 0})) open_ = false;
-  context.marks.item("offers.close");
+  if (text_button(context.marks, "offers.close", recovery ? tr("Later") : tr("Cancel"), m.px(110)))
+    open_ = false;
   if (!open_) ImGui::CloseCurrentPopup();
-  ImGui::EndPopup();
+}
+
+void draw_crash_offer(PanelContext& context, float width) {
+  if (!context.offers.crash) return;
+  const CrashOffer offer = *context.offers.crash;  // a button may take it away
+  const Metrics& m = context.metrics;
+  const Language& tr = context.tr;
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float margin = m.px(16), left = at.x + margin;
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  draw.ChannelsSplit(2);  // the card's height is that of its text
+  draw.ChannelsSetCurrent(1);
+
+  ImGui::SetCursorScreenPos({left, at.y + m.px(10)});
+  ImGui::BeginGroup();
+  const float right = ImGui::GetCursorPosX() + width - 2 * margin;
+  text_in_lines(fill(tr("Hariko closed unexpectedly on {0}."), {local_time_text(offer.at)}), right);
+  coloured_lines(palette().dim_text,
+                 tr("The report helps to find the mistake. It holds what the program was doing, "
+                    "the graphics driver and names of files, nothing of their contents."),
+                 right);
+  ImGui::Dummy({0, m.px(2)});
+  if (text_button(context.marks, "crash.copy", tr("Copy report"))) {
+    ImGui::SetClipboardText(offer.report.c_str());
+    context.editor.inform("The report is in the clipboard.");
+  }
+  ImGui::SameLine();
+  if (text_button(context.marks, "crash.folder", tr("Open folder"))) context.application.show_log_folder();
+  ImGui::SameLine();
+  if (text_button(context.marks, "crash.dismiss", tr("Dismiss"))) context.application.dismiss_crash();
+  ImGui::EndGroup();
+
+  const float bottom = ImGui::GetItemRectMax().y + m.px(10), radius = m.px(6);
+  draw.ChannelsSetCurrent(0);
+  draw.AddRectFilled(at, {at.x + width, bottom}, palette().panel, radius);
+  draw.AddRectFilled(at, {at.x + m.px(4), bottom}, palette().warning, radius, ImDrawFlags_RoundCornersLeft);
+  draw.ChannelsMerge();
+  ImGui::SetCursorScreenPos({at.x, bottom + m.px(8)});
+  ImGui::Dummy({width, 1});
 }
 
 }  // namespace hariko

@@ -30,4 +30,8 @@ class OffersDialog {
   bool open_ = false;
 };
 
+/// A card about the crash of an earlier session with its report, below the cursor and `width` wide. Nothing
+/// when there was none.
+void draw_crash_offer(PanelContext& context, float width);
+
 }  // namespace hariko

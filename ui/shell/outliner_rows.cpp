@@ -1,7 +1,6 @@
 #include "ui/shell/outliner_rows.hpp"
 
 #include <imgui.h>
-#include <imgui_stdlib.h>
 
 #include <algorithm>
 #include <array>
@@ -9,6 +8,10 @@
 #include "core/document/edits/edit_groups.hpp"
 #include "ui/base/icons.hpp"
 #include "ui/editor/selected_items.hpp"
+#include "ui/widgets/command_menu.hpp"
+#include "ui/widgets/inputs.hpp"
+#include "ui/widgets/items.hpp"
+#include "ui/widgets/lists.hpp"
 #include "ui/widgets/overlay_window.hpp"
 
 namespace hariko {
@@ -72,37 +75,31 @@ constexpr std::array mark_colours{NamedColour{translatable("Red"), {0xe5, 0x48, 
                                   NamedColour{translatable("Grey"), {0x8b, 0x8d, 0x98}}};
 
 void colour_menu(PanelContext& context, const Group& group) {
-  const bool open = ImGui::BeginMenu(context.tr("Colour"));
-  context.marks.item("outliner.group.colour");
-  if (!open) return;
+  const OpenScope menu = menu_scope(context.marks, "outliner.group.colour", context.tr("Colour"));
+  if (!menu) return;
   const auto set = [&](std::optional<Colour> colour) {
     context.editor.commit(set_group_colour(context.editor.history.current(), group.id, colour),
                           "Colour of the group");
   };
-  if (ImGui::MenuItem(context.tr("No colour"), nullptr, !group.colour)) set(std::nullopt);
-  context.marks.item("outliner.group.colour.none");
+  if (menu_row(context.marks, "outliner.group.colour.none", context.tr("No colour"), !group.colour))
+    set(std::nullopt);
   for (std::size_t i = 0; i < mark_colours.size(); ++i) {
     const NamedColour& one = mark_colours[i];
-    if (ImGui::MenuItem(context.tr(one.name), nullptr, group.colour == one.colour)) set(one.colour);
-    context.marks.item("outliner.group.colour." + std::to_string(i));
+    if (menu_row(context.marks, "outliner.group.colour." + std::to_string(i), context.tr(one.name),
+                 group.colour == one.colour))
+      set(one.colour);
   }
-  ImGui::EndMenu();
 }
 
 void group_menu(PanelContext& context, const Group& group) {
-  if (!ImGui::BeginPopupContextItem("menu")) return;
+  const OpenScope menu = item_menu_scope();
+  if (!menu) return;
   Editor& editor = context.editor;
   if (editor.chosen_group.chosen(editor) != group.id) editor.chosen_group.choose(editor, group.id);
-  if (ImGui::MenuItem(context.tr("Rename group"))) rename_in_row(context.state.outliner, group);
-  context.marks.item("outliner.group.rename");
-  for (const char* id : {"group.make", "group.dissolve", "object.delete"}) {
-    const Command& command = *context.commands.find(id);
-    if (ImGui::MenuItem(context.tr(command.label).c_str(), command.keys.c_str())) context.run(id);
-    context.marks.item(std::string("outliner.") + id);
-  }
-  ImGui::Separator();
+  if (menu_row(context.marks, "outliner.group.rename", context.tr("Rename group")))
+    rename_in_row(context.state.outliner, group);
+  draw_menu_items(context, {"group.make", "group.dissolve", "object.delete", ""}, "outliner.");
   colour_menu(context, group);
-  ImGui::EndPopup();
 }
 
 void group_name_field(PanelContext& context, const Group& group, float width) {
@@ -121,28 +118,24 @@ void group_switches(PanelContext& context, const Group& group, bool hovered, flo
   const std::string number = std::to_string(group.id.value);
   if (group.locked || hovered || (ImGui::GetIO().ConfigFlags & ImGuiConfigFlags_NavEnableKeyboard) != 0) {
     ImGui::SameLine(right - m.px(52));
-    if (icon_button(context, group.locked ? icon::locked : icon::unlocked, "lock",
+    if (icon_button(context, group.locked ? icon::locked : icon::unlocked, "group.lock." + number,
                     group.locked ? "Unlock" : "Lock", false, 24))
       editor.commit(set_group_locked(editor.history.current(), group.id, !group.locked),
                     group.locked ? "Unlock group" : "Lock group");
-    context.marks.item("group.lock." + number);
   }
   ImGui::SameLine(right - m.px(26));
-  if (icon_button(context, group.visible ? icon::shown : icon::hidden, "visible",
+  if (icon_button(context, group.visible ? icon::shown : icon::hidden, "group.eye." + number,
                   group.visible ? "Hide" : "Show", false, 24))
     editor.commit(set_group_visible(editor.history.current(), group.id, !group.visible),
                   group.visible ? "Hide group" : "Show group");
-  context.marks.item("group.eye." + number);
 }
 
 }  // namespace
 
 bool row_name_field(PanelContext& context, float width) {
   OutlinerState& state = context.state.outliner;
-  ImGui::SetNextItemWidth(width);
   if (state.focus_name) focus_next_field();
-  ImGui::InputText("##name", &state.name, ImGuiInputTextFlags_AutoSelectAll);
-  context.marks.item("outliner.name");
+  text_field(context.marks, "outliner.name", state.name, width, "", ImGuiInputTextFlags_AutoSelectAll);
   const bool ended = ImGui::IsItemDeactivated();
   // The keyboard comes a frame or two after it was asked for.
   if (ImGui::IsItemActive()) state.focus_name = false;
@@ -203,7 +196,7 @@ void drag_row(PanelContext& context, const Document& document, const Member& mem
   if (ImGui::BeginDragDropSource()) {
     state.dragged = member;
     ImGui::SetDragDropPayload(row_payload, nullptr, 0);
-    ImGui::TextUnformatted(name.c_str());
+    plain_text(name);
     ImGui::EndDragDropSource();
   }
   if (!ImGui::BeginDragDropTarget()) return;
@@ -223,8 +216,7 @@ void drop_below_rows(PanelContext& context, const Document& document) {
   const ImGuiPayload* payload = ImGui::GetDragDropPayload();
   if (!payload || !payload->IsDataType(row_payload)) return;
   const float room = std::max(ImGui::GetContentRegionAvail().y, context.metrics.px(10));
-  pointer_button("##below", {ImGui::GetContentRegionAvail().x, room});
-  context.marks.item("outliner.below");
+  pointer_button(context.marks, "outliner.below", {ImGui::GetContentRegionAvail().x, room});
   if (!ImGui::BeginDragDropTarget()) return;
   const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
   ImGui::GetForegroundDrawList()->AddLine(low, {high.x, low.y}, palette().secondary, context.metrics.px(2));
@@ -248,15 +240,13 @@ void draw_group_row(PanelContext& context, const Document& document, const Outli
   const float left = ImGui::GetCursorPosX(), right = left + ImGui::GetContentRegionAvail().x;
   const float begin = left + row_indent(m, row.depth);
   const bool chosen = editor.chosen_group.chosen(editor) == group.id;
-  if (ImGui::Selectable("##row", chosen,
-                        ImGuiSelectableFlags_AllowItemOverlap | ImGuiSelectableFlags_AllowDoubleClick,
-                        {0, m.px(26)})) {
+  if (selectable_row(context.marks, "group." + number, "", chosen, {0, m.px(26)},
+                     ImGuiSelectableFlags_AllowItemOverlap | ImGuiSelectableFlags_AllowDoubleClick)) {
     editor.chosen_group.choose(editor, group.id);
     // The group stays folded although an object in it is the active one now.
     state.shown_active = editor.selection.active;
     if (ImGui::IsMouseDoubleClicked(0)) rename_in_row(state, group);
   }
-  context.marks.item("group." + number);
   const bool hovered = ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem);
   ImGui::SetItemAllowOverlap();
   draw_group_mark(context, document, group.id);
@@ -268,21 +258,20 @@ void draw_group_row(PanelContext& context, const Document& document, const Outli
   group_menu(context, group);
   const bool folded = state.folded.contains(group.id);
   ImGui::SameLine(begin);
-  if (icon_button(context, folded ? icon::current : icon::unfolded, "fold",
+  if (icon_button(context, folded ? icon::current : icon::unfolded, "group.fold." + number,
                   folded ? "Open group" : "Fold group", false, 20)) {
     if (!state.folded.erase(group.id)) state.folded.insert(group.id);
   }
-  context.marks.item("group.fold." + number);
   ImGui::SameLine(begin + m.px(24));
   ImGui::AlignTextToFramePadding();
   const TextColour colour(is_visible(document, group.id) ? palette().text : palette().dim_text);
-  ImGui::TextUnformatted(icon::folder);
+  plain_text(icon::folder);
   ImGui::SameLine(begin + m.px(46));
   const float width = right - m.px(84) - ImGui::GetCursorPosX();
   if (state.renaming_group == group.id)
     group_name_field(context, group, width);
   else
-    ImGui::TextUnformatted(elided(group.name, width).c_str());
+    plain_text(elided(group.name, width));
   group_switches(context, group, hovered, right);
   ImGui::PopID();
 }

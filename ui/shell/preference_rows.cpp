@@ -5,20 +5,73 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <string>
 #include <string_view>
 #include <type_traits>
+#include <utility>
+#include <vector>
 
 #include "ui/base/fonts.hpp"
 #include "ui/base/settings_members.hpp"
-#include "ui/base/text_lines.hpp"
-#include "ui/shell/navigation_rows.hpp"
+#include "ui/view/navigation.hpp"
 #include "ui/widgets/enum_labels.hpp"
+#include "ui/widgets/items.hpp"
 #include "ui/widgets/number_slider.hpp"
+#include "ui/widgets/option_fields.hpp"
 #include "ui/widgets/tips.hpp"
 
 namespace hariko {
 
 namespace {
+
+constexpr std::array motions{std::pair{NavigationAction::orbit, translatable("Orbit")},
+                             std::pair{NavigationAction::pan, translatable("Pan")},
+                             std::pair{NavigationAction::zoom, translatable("Zoom")}};
+constexpr std::array buttons{std::pair{PointerButton::left, translatable("left drag")},
+                             std::pair{PointerButton::middle, translatable("middle drag")},
+                             std::pair{PointerButton::right, translatable("right drag")}};
+
+/// Rows of navigation by the mouse's buttons: "Orbit" with "Middle drag, Alt + left drag", and so on.
+std::vector<std::pair<std::string, std::string>> navigation_rows(const Language& tr,
+                                                                 NavigationPreset preset) {
+  std::vector<std::pair<std::string, std::string>> rows;
+  for (const auto& [motion, name] : motions) {
+    std::string drags;
+    const auto add = [&](const std::string& text) { drags += (drags.empty() ? "" : ",  ") + text; };
+    for (const auto& [button, drag] : buttons)
+      for (int modifiers = 0; modifiers < 8; ++modifiers) {
+        PointerEvent press;
+        press.kind = PointerEvent::Kind::press;
+        press.button = button;
+        press.alt = (modifiers & 4) != 0;
+        press.control = (modifiers & 2) != 0;
+        press.shift = (modifiers & 1) != 0;
+        // Alt need not be pressed where it makes no difference.
+        PointerEvent plain = press;
+        plain.alt = false;
+        const auto moves = [&, wanted = motion](bool parallel) {
+          const auto action = navigation_action(preset, press, parallel);
+          return action == wanted && !(press.alt && navigation_action(preset, plain, parallel) == action);
+        };
+        const bool perspective = moves(false), parallel = moves(true);
+        if (!perspective && !parallel) continue;
+        const std::string keys = std::string(press.control ? "Ctrl + " : "") + (press.alt ? "Alt + " : "") +
+                                 (press.shift ? "Shift + " : "") + tr(drag);
+        add(perspective == parallel
+                ? keys
+                : fill(tr(perspective ? "{0} (perspective)" : "{0} (parallel views)"), {keys}));
+      }
+    for (const bool control : {false, true})
+      for (const bool shift : {false, true}) {
+        const bool plain = wheel_action(preset, false, false) == motion && (control || shift);
+        if (wheel_action(preset, shift, control) != motion || plain || (control && shift)) continue;
+        add(std::string(control ? "Ctrl + " : "") + (shift ? "Shift + " : "") +
+            tr(preset == NavigationPreset::trackpad ? "two fingers" : "wheel"));
+      }
+    rows.emplace_back(tr(name), drags);
+  }
+  return rows;
+}
 
 constexpr float label_column = 190, narrow_column = 8, least_field = 170;
 constexpr std::array interface_scales{0.75F, 1.0F, 1.25F, 1.5F, 1.75F, 2.0F, 2.5F};
@@ -86,12 +139,10 @@ class PreferenceFields {
     if (!row) return;
     for (const Enum each : enum_values<Enum>()) {
       const std::string mark = std::string(member) + "." + std::string(enum_word(each));
-      if (button(context_.tr(enum_choice(each).label), mark, value == each, why_not(each))) value = each;
+      if (button(context_.tr(enum_choice(each).label), mark, value == each)) value = each;
     }
     ImGui::NewLine();
     if constexpr (std::is_same_v<Enum, NavigationPreset>) navigation_table(value);
-    if constexpr (std::is_same_v<Enum, LanguageId>)
-      if (!japanese_font_installed()) note(no_japanese_font);
     note(row->note);
   }
 
@@ -99,8 +150,7 @@ class PreferenceFields {
     const PreferenceRow* row = begin(member);
     if (!row) return;
     if (!*row->on.mark) {
-      ImGui::Checkbox((std::string("###") + member).c_str(), &value);
-      context_.marks.item(std::string("preferences.") + member);
+      value = mixed_check(context_.marks, std::string("preferences.") + member, "", value).value_or(value);
       return note(row->note);
     }
     for (const bool each : {false, true}) {
@@ -117,9 +167,8 @@ class PreferenceFields {
     const double low = std::max(least, row->low), high = std::min(most, row->high);
     ImGuiSliderFlags flags = ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoRoundToFormat;
     if (row->logarithmic) flags |= ImGuiSliderFlags_Logarithmic;
-    number_slider((std::string("###") + member).c_str(), {low, high, row->format, flags}, value,
-                  std::min(context_.metrics.px(270), ImGui::GetContentRegionAvail().x));
-    context_.marks.item(std::string("preferences.") + member);
+    number_slider(context_.marks, std::string("preferences.") + member, {low, high, row->format, flags},
+                  value, std::min(context_.metrics.px(270), ImGui::GetContentRegionAvail().x));
     note(row->note);
   }
 
@@ -136,8 +185,20 @@ class PreferenceFields {
     note(row->note);
   }
 
-  /// Files are chosen where they are used.
-  void text(const char*, std::string&) {}
+  /// The language; files, which have no row, are chosen where they are used.
+  void text(const char* member, std::string& value) {
+    const PreferenceRow* row = begin(member);
+    if (!row) return;
+    const auto language = [&](const std::string& id, const std::string& name) {
+      const char* why_not = fonts_can_write(name) ? nullptr : no_japanese_font;
+      if (button(name.c_str(), std::string(member) + "." + id, value == id, why_not)) value = id;
+      return why_not == nullptr;
+    };
+    bool all = language(english_id, "English");
+    for (const LanguageFile& each : context_.editor.languages) all = language(each.id, each.name) && all;
+    ImGui::NewLine();
+    note(all ? row->note : no_japanese_font);
+  }
 
   /// Keys have a page of their own making.
   void texts(const char*, std::map<std::string, std::string>&) {}
@@ -154,8 +215,7 @@ class PreferenceFields {
   const PreferenceRow* begin(const char* member) {
     const PreferenceRow* row = preference_row(member, page_);
     if (!row) return nullptr;
-    ImGui::AlignTextToFramePadding();
-    ImGui::TextUnformatted(context_.tr(row->label));
+    aligned_text(context_.tr(row->label));
     const float at = column();
     if (at >= context_.metrics.px(label_column))
       ImGui::SameLine(at);
@@ -168,8 +228,7 @@ class PreferenceFields {
   void note(const char* text) {
     if (!*text) return;
     ImGui::SetCursorPosX(column());
-    const TextColour dim(palette().dim_text);
-    text_in_lines(context_.tr(text));
+    coloured_lines(palette().dim_text, context_.tr(text));
   }
 
   /// One of several choices side by side. True when it was chosen now.
@@ -186,8 +245,7 @@ class PreferenceFields {
     bool chosen = false;
     {
       const Disabled disabled(why_not != nullptr);
-      chosen = ImGui::Button((std::string(label) + "###" + mark).c_str());
-      context_.marks.item("preferences." + mark);
+      chosen = text_button(context_.marks, "preferences." + mark, label);
     }
     if (on) ImGui::PopStyleColor(2);
     if (why_not && ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) show_tip(context_.tr(why_not));
@@ -195,22 +253,14 @@ class PreferenceFields {
     return chosen && !on;
   }
 
-  template <class Enum>
-  static const char* why_not(Enum value) {
-    if constexpr (std::is_same_v<Enum, LanguageId>)
-      if (value == LanguageId::japanese && !japanese_font_installed()) return no_japanese_font;
-    return nullptr;
-  }
-
   /// Drags that orbit, pan and zoom, one line each.
   void navigation_table(NavigationPreset preset) {
     for (const auto& [motion, drags] : navigation_rows(context_.tr, preset)) {
       const float at = column();
       ImGui::SetCursorPosX(at);
-      ImGui::TextUnformatted(motion.c_str());
+      plain_text(motion);
       ImGui::SameLine(at + context_.metrics.px(80));
-      const TextColour dim(palette().dim_text);
-      text_in_lines(drags);
+      coloured_lines(palette().dim_text, drags);
     }
   }
 

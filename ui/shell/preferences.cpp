@@ -7,6 +7,8 @@
 #include <tuple>
 
 #include "ui/shell/preference_rows.hpp"
+#include "ui/widgets/items.hpp"
+#include "ui/widgets/lists.hpp"
 
 namespace hariko {
 
@@ -85,21 +87,18 @@ void Preferences::draw_pages(PanelContext& context) {
   const float height = context.metrics.px(30);
   ImGui::PushStyleVar(ImGuiStyleVar_SelectableTextAlign, ImVec2(0, 0.5F));
   for (const auto& [page, name, mark] : pages) {
-    const std::string label = std::string("  ") + context.tr(name) + "###" + mark;
-    if (ImGui::Selectable(label.c_str(), page == page_, 0, {0, height})) {
+    if (selectable_row(context.marks, std::string("preferences.page.") + mark,
+                       std::string("  ") + context.tr(name), page == page_, {0, height})) {
       page_ = page;
       keys_.stop();
     }
-    context.marks.item(std::string("preferences.page.") + mark);
   }
   ImGui::PopStyleVar();
   const char* reset = context.tr(page_ == Page::keys ? "Reset all keys" : "Reset this page");
   ImGui::SetCursorPosY(ImGui::GetWindowHeight() - ImGui::GetFrameHeight());
-  if (ImGui::Button((std::string(reset) + "###reset").c_str(), {-1, 0})) {
-    reset_preferences(context.editor.settings, page_);
-    keys_.stop();
-  }
-  context.marks.item("preferences.reset");
+  if (!text_button(context.marks, "preferences.reset", reset, -1)) return;
+  reset_preferences(context.editor.settings, page_);
+  keys_.stop();
 }
 
 void Preferences::draw_page(PanelContext& context) {

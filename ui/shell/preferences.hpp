@@ -26,7 +26,7 @@ class KeyPage {
 
   std::string search_;
   std::string recording_;           ///< id of the command that waits for a key; empty for none
-  std::size_t slot_ = 0;            ///< which of its keys is replaced; one past the last adds one
+  std::size_t slot_ = 0;            ///< number of the key that is replaced; one past the last adds one
   std::optional<KeyChord> wanted_;  ///< pressed, but another command has it
 };
 

@@ -20,5 +20,7 @@ void add_preferences_commands(CommandHost& host, Workbench& workbench);
 /// Commands for what stands in the properties, so that the palette finds it by its name.
 void add_property_commands(CommandHost& host, Workbench& workbench);
 void add_help_commands(CommandHost& host, Workbench& workbench);
+/// After all commands are there: what designers who come from elsewhere call them.
+void add_other_names(CommandTable& table);
 
 }  // namespace hariko

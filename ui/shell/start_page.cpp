@@ -8,8 +8,8 @@
 #include "core/cad/kernel/cad_file.hpp"
 #include "ui/base/fonts.hpp"
 #include "ui/base/icons.hpp"
-#include "ui/shell/crash_offer.hpp"
 #include "ui/shell/offers_panel.hpp"
+#include "ui/widgets/items.hpp"
 #include "ui/widgets/sample_cards.hpp"
 
 namespace hariko {
@@ -22,7 +22,7 @@ struct Way {
   const char* title;
   const char* text;
   const char* command;
-  std::string_view sample;  ///< whose picture it has; empty for none
+  std::string_view sample;  ///< id of the sample whose picture it has; empty for none
 };
 
 constexpr std::array<Way, 5> ways{{
@@ -78,15 +78,15 @@ void paint_drop_place(const Metrics& m, ImVec2 low, ImVec2 high) {
 }
 
 Sample* find_sample(PanelContext& context, std::string_view stem) {
-  const auto found = std::find_if(context.samples.begin(), context.samples.end(),
-                                  [&](const Sample& sample) { return sample.path.stem().string() == stem; });
+  const auto found = std::ranges::find_if(
+      context.samples, [&](const Sample& sample) { return sample.path.stem().string() == stem; });
   return found == context.samples.end() ? nullptr : &*found;
 }
 
 void section(PanelContext& context, float left, const char* title) {
   ImGui::Dummy({0, context.metrics.px(12)});
   ImGui::SetCursorPosX(left);
-  ImGui::TextUnformatted(context.tr(title));
+  plain_text(context.tr(title));
 }
 
 void title(PanelContext& context, CardFocus& focus, float left, float width) {
@@ -95,9 +95,9 @@ void title(PanelContext& context, CardFocus& focus, float left, float width) {
   ImGui::SetCursorPos({left, top});
   ImGui::BeginGroup();
   ImGui::PushFont(title_font());
-  ImGui::TextUnformatted("Hariko");
+  plain_text("Hariko");
   ImGui::PopFont();
-  ImGui::TextDisabled("%s", context.tr("Stretch a smooth surface over a rough structure."));
+  dim_text(context.tr("Stretch a smooth surface over a rough structure."));
   ImGui::EndGroup();
   const ImVec2 below = ImGui::GetCursorPos();
   const char* text = context.editor.guide.paused() ? context.tr("Go on with your first model")
@@ -105,8 +105,7 @@ void title(PanelContext& context, CardFocus& focus, float left, float width) {
   const std::string label = std::string(icon::info) + "  " + text;
   const float button = ImGui::CalcTextSize(label.c_str()).x + 2 * ImGui::GetStyle().FramePadding.x;
   ImGui::SetCursorPos({left + width - button, top + m.px(8)});
-  const bool pressed = main_button(label.c_str());
-  context.marks.item("start.guide");
+  const bool pressed = main_button(context.marks, "start.guide", label);
   if (focus.item("start.guide", m.px(4)) || pressed) context.run("help.guide");
   ImGui::SetCursorPos({below.x, below.y + m.px(14)});
 }

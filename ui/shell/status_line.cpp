@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ui/base/columns_job.hpp"
+#include "core/document/object_shape.hpp"
 #include "ui/base/icons.hpp"
+#include "ui/base/job.hpp"
+#include "ui/editor/object_kind.hpp"
+#include "ui/widgets/items.hpp"
 #include "ui/widgets/overlay_window.hpp"
 #include "ui/widgets/tips.hpp"
 
@@ -51,7 +54,7 @@ bool draw_work(PanelContext& context, const WorkRow& row, float& right) {
     const ImVec2 low(at.x + words + padding, at.y + height / 2 - m.px(2));
     const ImVec2 high(low.x + bar - padding, low.y + m.px(4));
     list.AddRectFilled(low, high, palette().field, m.px(2));
-    // Where it is not known how long it will take a part wanders.
+    // A part wanders where it is not known how long the work will take.
     const float whole = high.x - low.x, length = row.fraction < 0 ? 0.3F : static_cast<float>(row.fraction);
     const float phase = row.fraction < 0
                             ? static_cast<float>(0.5 - 0.5 * std::cos(3 * context.editor.now)) * whole * 0.7F
@@ -62,16 +65,14 @@ bool draw_work(PanelContext& context, const WorkRow& row, float& right) {
   if (!row.button) return false;
   ImGui::SetCursorScreenPos({at.x + words + bar + padding, at.y - m.px(2)});
   const ImVec2 low = ImGui::GetCursorScreenPos(), high(low.x + box, low.y + height + m.px(4));
-  const bool pressed = area_button(row.mark, {high.x - low.x, high.y - low.y});
-  context.marks.item(row.mark);
+  const bool pressed = area_button(context.marks, row.mark, {high.x - low.x, high.y - low.y});
   list.AddRectFilled(low, high, ImGui::IsItemHovered() ? palette().field_hover : palette().field, m.px(4));
   list.AddText({low.x + padding, low.y + m.px(2)}, palette().text, row.button);
   return pressed;
 }
 
 bool placing_columns(const Editor& editor) {
-  return std::any_of(editor.jobs.begin(), editor.jobs.end(),
-                     [](const auto& job) { return job->text == placing_columns_job; });
+  return std::ranges::any_of(editor.jobs, [](const auto& job) { return job->text == placing_columns_job; });
 }
 
 /// Computing that takes long enough to notice, with a button that stops it, or surfaces that are not up to
@@ -80,9 +81,8 @@ void draw_recompute(PanelContext& context, float& right) {
   const Editor& editor = context.editor;
   if (placing_columns(editor)) return;  // says how far it is, and can be cancelled
   constexpr double noticeable = 0.3;    // seconds
-  const bool computes =
-      std::any_of(editor.stale_since.begin(), editor.stale_since.end(),
-                  [&](const auto& entry) { return editor.now - entry.second > noticeable; });
+  const bool computes = std::ranges::any_of(
+      editor.stale_since, [&](const auto& entry) { return editor.now - entry.second > noticeable; });
   if (!computes && editor.recompute.outdated.empty()) return;
   WorkRow row;
   row.text = context.tr(computes ? "computing\u2026" : "not up to date");
@@ -93,7 +93,7 @@ void draw_recompute(PanelContext& context, float& right) {
   if (draw_work(context, row, right)) context.run(computes ? "surface.cancel" : "surface.recompute");
 }
 
-/// That everything is written down, with a button that ends it.
+/// Notice that everything is written down, with a button that ends it.
 void draw_recording(PanelContext& context, float& right) {
   if (!context.editor.recording) return;
   WorkRow row;
@@ -125,7 +125,7 @@ void draw_job(PanelContext& context, float& right) {
   if (jobs.empty()) return;
   const Job& job = *jobs.front();
   WorkRow row;
-  row.text = context.tr.phrase(job.text) + "\u2026";
+  row.text = context.tr(job.text) + "\u2026";
   context.editor.show_text(row.text);
   row.fraction = job.progress.fraction();
   if (row.fraction >= 0) row.text += "  " + std::to_string(percent_of(job)) + " %";
@@ -139,7 +139,7 @@ void draw_job(PanelContext& context, float& right) {
 
 /// Continuity that the surface reaches; empty until that is measured, and for facets.
 std::string continuity_of(PanelContext& context, const Object& object, const SurfaceView& view) {
-  if (object.mesh() || !view.continuity || view.continuity->seams.size() != view.surface.seams().size())
+  if (is_faceted(object) || !view.continuity || view.continuity->seams.size() != view.surface.seams().size())
     return {};
   PanelState& state = context.state;
   const ContinuityTolerance& tolerance = context.editor.view.tolerance;
@@ -161,17 +161,7 @@ void draw_status_line(PanelContext& context, const PanelRect& rect) {
     std::string right;
     ImU32 colour = palette().dim_text;
     if (const Object* object = editor.active_object(); object && editor.has_document) {
-      if (const PolyhedronSource* source = object->polyhedron()) {
-        const Polyhedron& p = source->polyhedron;
-        right = fill(context.tr("{0} vertices  {1} edges  {2} faces"),
-                     {std::to_string(p.vertex_count()), std::to_string(p.edge_count()),
-                      std::to_string(p.face_count())});
-      } else if (const PatchSource* patches = object->patches()) {
-        right = fill(context.tr("patches: {0} \u00d7 {1}"),
-                     {std::to_string(patches->columns), std::to_string(patches->rows)});
-      }
-      if (const BezierSource* bezier = object->bezier())
-        right = fill(context.tr("patches: {0}"), {std::to_string(bezier->patches->size())});
+      right = object_kind(*object).size_text(*object, context.tr);
       const SurfaceView* view = editor.view_of(object->id);
       if (view && view->error) {
         right = context.tr.text_of(*view->error);
@@ -197,12 +187,12 @@ void draw_status_line(PanelContext& context, const PanelRect& rect) {
     const std::string hint = context.tr.phrase(context.tool_hint);
     const std::string shown = elided(hint, std::max(left - gap - start, m.px(least_hint)));
     continue_line(start);
-    ImGui::TextUnformatted(shown.c_str());
+    plain_text(shown);
     context.marks.item("status.left");
     if (shown != hint && ImGui::IsItemHovered()) show_tip(hint);
     continue_line(std::max(left, start + ImGui::CalcTextSize(shown.c_str()).x + gap));
     const TextColour text(colour);
-    ImGui::TextUnformatted(state.c_str());
+    plain_text(state);
     context.marks.item("status.right");
     if (state != right && ImGui::IsItemHovered()) show_tip(right);
     ImGui::PopStyleColor();

@@ -1,8 +1,6 @@
 // The column of buttons on the left: commands that are used all the time. Where the window is low it has two
 // rows of them side by side, so that it never scrolls.
 
-#include <algorithm>
-
 #include "ui/base/icons.hpp"
 #include "ui/widgets/command_menu.hpp"
 
@@ -14,10 +12,11 @@ void command_button(PanelContext& context, const char* id) {
   const Command& command = *context.commands.find(id);
   const auto reason = command.why_not ? command.why_not() : std::nullopt;
   if (reason) ImGui::PushStyleVar(ImGuiStyleVar_Alpha, 0.4F);
-  if (icon_button(context, command.icon, id, "", command.checked && command.checked(), 36)) context.run(id);
+  if (icon_button(context, command.icon, std::string("button.") + id, "",
+                  command.checked && command.checked(), 36))
+    context.run(id);
   if (reason) ImGui::PopStyleVar();
   if (ImGui::IsItemHovered()) command_tooltip(context, command, reason, true);
-  context.marks.item(std::string("button.") + id);
 }
 
 /// Groups from top to bottom. The bevel is that of what clicks select.

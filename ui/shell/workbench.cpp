@@ -10,25 +10,25 @@
 
 #include "render/reference_image.hpp"
 #include "ui/base/icons.hpp"
-#include "ui/base/menu_letters.hpp"
-#include "ui/editor/selection_text.hpp"
+#include "ui/base/key_chord.hpp"
+#include "ui/editor/command_host.hpp"
+#include "ui/editor/selected_items.hpp"
 #include "ui/measure/dimension_layer.hpp"
 #include "ui/outline/outline_handles.hpp"
-#include "ui/paper/paper_layer.hpp"
-#include "ui/polyhedron/patch_commands.hpp"
+#include "ui/paper/paper_drawing.hpp"
+#include "ui/polyhedron/tension_tool.hpp"
 #include "ui/shell/shell_commands.hpp"
-#include "ui/skin/skin_commands.hpp"
-#include "ui/skin/skin_overlay.hpp"
+#include "ui/skin/skin_tools.hpp"
 #include "ui/view/gizmo.hpp"
 #include "ui/widgets/beside.hpp"
+#include "ui/widgets/items.hpp"
 
 namespace hariko {
 
 namespace {
 
 bool shows_zebra(const Editor& editor) {
-  const auto& objects = editor.document().objects;
-  return std::any_of(objects.begin(), objects.end(), [&](const auto& object) {
+  return std::ranges::any_of(editor.document().objects, [&](const auto& object) {
     return object->visible && shown_map(editor.view.map, *object) == SurfaceMap::zebra;
   });
 }
@@ -42,6 +42,7 @@ std::vector<std::unique_ptr<ViewLayer>> view_layers() {
   layers.push_back(std::make_unique<SkinOverlay>());
   layers.push_back(make_gauss_layer());
   layers.push_back(make_dimension_layer());
+  layers.push_back(make_tension_numbers());
   return layers;
 }
 
@@ -54,7 +55,7 @@ Workbench::Workbench(Editor& editor, Renderer& renderer, int quick_samples, cons
       metrics_(metrics),
       application_(application),
       host_{commands_, editor_, viewport_, *this, application},
-      files_(editor, viewport_, marks_, metrics, application) {
+      files_(editor, viewport_, application) {
   add_commands();
 }
 
@@ -94,6 +95,7 @@ void Workbench::add_commands() {
   add_help_commands(host_, *this);
   add_property_commands(host_, *this);
   fill_context_menus(commands_);
+  add_other_names(commands_);
   // A tool works on the document that it found: whatever changes it ends the tool first.
   commands_.before_run([this](const Command& command) {
     if (watch_.before_command) watch_.before_command();
@@ -159,8 +161,7 @@ void Workbench::apply_keys() {
             ? translatable("\u201c{0}\u201d cannot have {1}: it always cancels.")
             : translatable(
                   "{1} is given to two commands: \u201c{2}\u201d keeps it, \u201c{0}\u201d goes without.");
-    editor_.notify(Notice::Kind::warning,
-                   fill(tr(text), {name, problem.keys, other ? tr(other->label) : problem.other}));
+    editor_.warn({text, {name, problem.keys, other ? tr(other->label) : problem.other}});
   }
 }
 
@@ -171,7 +172,7 @@ void Workbench::frame() {
   keyboard_.begin_frame(preferences_.is_open());
   PanelContext context{editor_, commands_,    marks_,           metrics_,         panel_state_, samples_,
                        *this,   application_, viewport_.hint(), editor_.language, offers_};
-  // What a gesture shows is not done yet.
+  // Steps that a gesture shows are not done yet.
   if (!editor_.history.in_gesture())
     editor_.guide.look({editor_.history.current(), editor_.exports, shows_zebra(editor_)});
   const float menu = draw_menu_bar(context);
@@ -248,11 +249,10 @@ void Workbench::layout(PanelContext& context, float menu) {
 
 void Workbench::drag_list_end(const PanelRect& border, float top) {
   if (begin_panel("##list_end", border, 0, {0, 0}, ImGuiWindowFlags_NoBackground)) {
-    ImGui::InvisibleButton("drag", {border.width(), border.height()});
-    marks_.item("outliner.end");
-    if (ImGui::IsItemHovered() || ImGui::IsItemActive()) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeNS);
+    const ImVec2 size(border.width(), border.height());
+    const bool held = border_area(marks_, "outliner.end", size, ImGuiMouseCursor_ResizeNS);
     float& height = editor_.settings.objects_height;
-    if (ImGui::IsItemActive() && ImGui::IsMouseDragging(0, 1))
+    if (held && ImGui::IsMouseDragging(0, 1))
       height = std::max(1.0F, (ImGui::GetIO().MousePos.y - top) / metrics_.scale);
     // As its rows need again.
     if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(0)) height = 0;
@@ -276,9 +276,8 @@ std::string Workbench::status_note() const {
 
 void Workbench::drag_border(const PanelRect& border) {
   if (begin_panel("##border", border, 0, {0, 0}, ImGuiWindowFlags_NoBackground)) {
-    ImGui::InvisibleButton("drag", {border.width(), border.height()});
-    if (ImGui::IsItemHovered() || ImGui::IsItemActive()) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
-    if (ImGui::IsItemActive())
+    const ImVec2 size(border.width(), border.height());
+    if (border_area(marks_, "properties.border", size, ImGuiMouseCursor_ResizeEW))
       editor_.settings.side_width = std::clamp(
           editor_.settings.side_width - ImGui::GetIO().MouseDelta.x / metrics_.scale, 260.0F, 480.0F);
   }
@@ -437,7 +436,7 @@ void Workbench::quit() {
     if (!job) return application_.quit();
     const Language& tr = editor_.language;
     ask({tr("Work in progress"),
-         fill(tr("{0} is not finished. Leaving now cancels it."), {tr.phrase(job->text)}),
+         fill(tr("{0} is not finished. Leaving now cancels it."), {tr(job->text)}),
          {{tr("Wait"), "wait", {}}, {tr("Leave"), "leave", [this] { application_.quit(); }}}});
   });
 }

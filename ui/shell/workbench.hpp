@@ -4,7 +4,6 @@
 
 #include <cstdint>
 #include <functional>
-#include <memory>
 
 #include "ui/editor/command_host.hpp"
 #include "ui/files/file_dialogs.hpp"
@@ -17,7 +16,7 @@
 #include "ui/shell/offers_panel.hpp"
 #include "ui/shell/preferences.hpp"
 #include "ui/shell/start_page.hpp"
-#include "ui/view/cap_motion.hpp"
+#include "ui/view/navigation.hpp"
 #include "ui/view/viewport.hpp"
 #include "ui/widgets/application_services.hpp"
 #include "ui/widgets/command_services.hpp"
@@ -74,7 +73,7 @@ class Workbench final : public CommandServices {
     editor_.show_text(request.text);
     prompt_.ask(std::move(request));
   }
-  /// What is being asked; null when nothing is.
+  /// Question that is being asked; null when there is none.
   const Prompt::Request* question() const { return prompt_.question(); }
   /// Does something that replaces the document or ends the program, after asking about unsaved work.
   void guarded(std::function<void()> action);
@@ -95,7 +94,11 @@ class Workbench final : public CommandServices {
   void show_preferences() { preferences_.open(); }
   void show_preferences(Preferences::Page page) { preferences_.open(page); }
   /// Brings a row of the properties into sight, and the keyboard to its field.
-  void show_property(std::string id) { panel_state_.wanted_row = std::move(id); }
+  void show_property(std::string id) {
+    constexpr double patience = 1;  // seconds
+    panel_state_.wanted_row = std::move(id);
+    panel_state_.wanted_until = editor_.now + patience;
+  }
   FileDialogs& files() { return files_; }
   const FileDialogs& files() const { return files_; }
   void export_pages() override { files_.export_pages(); }
@@ -151,11 +154,11 @@ class Workbench final : public CommandServices {
   Preferences preferences_;
   PaperPanel paper_panel_;
   GaussPanel gauss_panel_;
-  float paper_split_ = 0.5F, gauss_split_ = 0.55F;  ///< where these begin, of the width of the views
-  std::map<std::string, std::string> keys_in_use_;  ///< of the settings
+  float paper_split_ = 0.5F, gauss_split_ = 0.55F;  ///< beginnings of these, as a share of the views' width
+  std::map<std::string, std::string> keys_in_use_;  ///< keys of the settings
   CommandLog command_log_;
   WorkWatch watch_;
-  State found_;  ///< when the last command began
+  State found_;  ///< state when the last command began
   KeyboardFocus keyboard_;
   FileDialogs files_;
   OffersDialog offers_dialog_;

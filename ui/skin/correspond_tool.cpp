@@ -1,4 +1,4 @@
-#include "ui/skin/correspond_tool.hpp"
+#include "ui/skin/skin_tools.hpp"
 
 #include <GLFW/glfw3.h>
 
@@ -8,8 +8,8 @@
 #include "ui/editor/skin_edits.hpp"
 #include "ui/skin/correspondence_drag.hpp"
 #include "ui/view/overlay_drawing.hpp"
-#include "ui/view/pointing_tool.hpp"
 #include "ui/view/skin_sight.hpp"
+#include "ui/view/tool.hpp"
 
 namespace hariko {
 
@@ -46,7 +46,7 @@ class CorrespondTool final : public PointingTool {
 
   std::optional<ToolState> key(ToolContext& context, const KeyPress& press) override {
     const KeyChord& chord = press.chord;
-    if (chord.key == GLFW_KEY_ENTER || chord.key == GLFW_KEY_KP_ENTER) return ToolState::commit;
+    if (chord.key == GLFW_KEY_ENTER) return ToolState::commit;
     if (chord.control && (chord.key == GLFW_KEY_Z || chord.key == GLFW_KEY_Y)) {
       cancel(context);
       error_.clear();
@@ -174,7 +174,7 @@ class CorrespondTool final : public PointingTool {
     look(context);
   }
 
-  /// What gave way shows in red for a moment.
+  /// Shows for a moment in red what gave way.
   void flash(const Editor& editor, const CorrespondenceEdit& edit) {
     flashed_.clear();
     for (const SkinView::Line& line : view_.lines)
@@ -208,7 +208,7 @@ class CorrespondTool final : public PointingTool {
     commit_skin(editor, object.id, edit, label);
   }
 
-  /// Of the diamond under the pointer, or of the end of the line under it.
+  /// Takes hold of the diamond under the pointer, or of the end of the line under it.
   bool take_hold(const ToolContext& context) {
     const Object& object = skin_object(context);
     look(context);
@@ -247,10 +247,9 @@ class CorrespondTool final : public PointingTool {
   std::optional<LineHit> hovered_;
   std::optional<MergeDrag> merge_;
   std::optional<LineEndDrag> end_;
-  std::shared_ptr<const Object> object_;  ///< when what is dragged was taken
+  std::shared_ptr<const Object> object_;  ///< object when what is dragged was taken
   std::vector<std::vector<Vector3>> flashed_;
   double flash_until_ = 0;
-  std::string error_;
 };
 
 }  // namespace

@@ -8,7 +8,7 @@ namespace hariko {
 namespace {
 
 constexpr double snap_reach = 8, end_reach = 8;  ///< design pixels
-constexpr double end_distance = 24;              ///< of a handle from the end of its line
+constexpr double end_distance = 24;              ///< distance of a handle from the end of its line
 constexpr double least_along = 0.02;             ///< a merge nearer to a section is a group there
 
 }  // namespace
@@ -17,8 +17,8 @@ MergeDrag::MergeDrag(const Skin& skin, const SkinView& view, std::size_t diamond
     : skin_(skin), view_(view), diamond_(view.diamonds[diamond]) {}
 
 Result<CorrespondenceEdit> MergeDrag::to(const DragPlace& place) {
-  const auto merge = std::find_if(skin_.merges.begin(), skin_.merges.end(),
-                                  [&](const SkinMerge& m) { return m.id == diamond_.merge; });
+  const auto merge =
+      std::ranges::find_if(skin_.merges, [&](const SkinMerge& m) { return m.id == diamond_.merge; });
   const auto hit = nearest_line(view_, place.object, place.projector, place.pixel, {diamond_.first});
   if (merge == skin_.merges.end() || !hit)
     return make_error(e_no_correspondence, "There is no such correspondence.", "Select one of the lines.");

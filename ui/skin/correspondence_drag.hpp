@@ -1,14 +1,14 @@
 #pragma once
 
-// What can be dragged of correspondences: the diamond of a merge along the lines of its strip, and the end of
-// a line from point to point of its section.
+// Drags of correspondences: of the diamond of a merge along the lines of its strip, and of the end of a line
+// from point to point of its section.
 
 #include "core/skinning/edit/edit_correspondence.hpp"
 #include "ui/editor/skin_view.hpp"
 
 namespace hariko {
 
-/// Where in the picture something is being dragged.
+/// Place of a drag in the picture.
 struct DragPlace {
   const Object& object;
   Projector projector;
@@ -24,7 +24,7 @@ class MergeDrag {
   /// The merge moves to the place of a line that is nearest to the pointer, and on that line to a row within
   /// 8 pixels. Errors: those of `move_merge`.
   Result<CorrespondenceEdit> to(const DragPlace& place);
-  /// Where the lines meet now, 0 at the strip's first section .. 1.
+  /// Place where the lines meet now, 0 at the strip's first section .. 1.
   double along() const { return along_; }
 
  private:
@@ -44,7 +44,7 @@ struct LineEnd {
 /// too short to have two.
 std::vector<LineEnd> line_ends(const SkinView& view, const Object& object, const Projector& projector,
                                std::size_t line, const Vector2& pixel, double pixel_scale);
-/// That one which is within 8 pixels.
+/// End of the line within 8 pixels.
 std::optional<LineEnd> line_end_at(const SkinView& view, const Object& object, const Projector& projector,
                                    std::size_t line, const Vector2& pixel, double pixel_scale);
 
@@ -60,7 +60,7 @@ class LineEndDrag {
  private:
   Skin skin_;
   std::uint32_t from_ = 0, other_ = 0;
-  std::vector<SkinView::Handle> points_;  ///< of the section
+  std::vector<SkinView::Handle> points_;  ///< points of the section
   Vector3 anchor_ = Vector3::Zero();
 };
 

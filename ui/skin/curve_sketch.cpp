@@ -3,8 +3,11 @@
 #include <GLFW/glfw3.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <numbers>
 
+#include "core/document/length_units.hpp"
 #include "core/skinning/edit/freehand_curve.hpp"
 #include "ui/view/overlay_drawing.hpp"
 #include "ui/view/snapping.hpp"
@@ -17,7 +20,7 @@ constexpr double axis_radius = 6;           ///< design pixels within which an a
 constexpr double close_radius = 12;         ///< design pixels round the first point
 constexpr double stroke_length = 16;        ///< design pixels from which on a press is a stroke
 constexpr double stroke_tolerance = 2.5;    ///< design pixels
-constexpr double least_plane_slope = 0.05;  ///< of a ray against the plane
+constexpr double least_plane_slope = 0.05;  ///< slope of a ray against the plane
 constexpr int per_span = 12;
 
 constexpr Code e_off_plane{"E_OFF_PLANE"};
@@ -31,14 +34,9 @@ Message off_plane() {
 void draw_curve(const Projector& projector, const ToolOverlay& overlay, const SubdivisionCurve& curve,
                 ImU32 colour, float width) {
   const int count = per_span * curve.spans();
-  std::optional<Vector2> last;
-  for (int i = 0; i <= count && count > 0; ++i) {
-    const auto at = projector.project(evaluate(curve, double(i) / count).position);
-    if (at && last)
-      overlay.list.AddLine(on_screen(overlay, *last), on_screen(overlay, at->head<2>()), colour,
-                           overlay.metrics.px(width));
-    last = at ? std::optional<Vector2>(at->head<2>()) : std::nullopt;
-  }
+  std::vector<Vector3> points;
+  for (int i = 0; i <= count && count > 0; ++i) points.push_back(evaluate(curve, double(i) / count).position);
+  draw_polyline(overlay, projector, points, colour, width);
 }
 
 std::optional<Message> CurveSketch::feed(const ToolContext& context, const PointerEvent& event) {
@@ -129,7 +127,7 @@ bool CurveSketch::key(const KeyPress& press) {
 
 SubdivisionCurve CurveSketch::curve_of(const std::vector<Vector3>& points, std::vector<char> sharp,
                                        bool closed) const {
-  if (std::none_of(sharp.begin(), sharp.end(), [](char s) { return s != 0; })) sharp.clear();
+  if (std::ranges::none_of(sharp, [](char s) { return s != 0; })) sharp.clear();
   if (through_ && points.size() >= (closed ? 3U : 2U)) return curve_through(points, closed, std::move(sharp));
   return {points, closed, std::move(sharp)};
 }
@@ -200,6 +198,104 @@ void CurveSketch::draw(const ToolContext& context, const ToolOverlay& overlay) c
     overlay.list.AddCircleFilled(p, overlay.metrics.px(first ? 7 : 5), palette().window);
     overlay.list.AddCircleFilled(p, overlay.metrics.px(first ? 5.5F : 3.5F), palette().hot);
   }
+}
+
+void ShapeSketch::begin(SectionShape shape, Unit unit) {
+  shape_ = shape;
+  const auto units = length_units(unit);
+  input_ = NumericInput(shape == SectionShape::circle ? 1 : 2, {units.begin(), units.end()});
+}
+
+bool ShapeSketch::key(const KeyPress& press, Unit unit) {
+  if (active() && input_.key(press)) return true;
+  if (press.chord.control || press.chord.alt) return false;
+  switch (press.chord.key) {
+    case GLFW_KEY_O:
+      begin(SectionShape::circle, unit);
+      return true;
+    case GLFW_KEY_E:
+      begin(SectionShape::ellipse, unit);
+      return true;
+    case GLFW_KEY_R:
+      begin(SectionShape::rectangle, unit);
+      return true;
+    case GLFW_KEY_BACKSPACE:
+      if (!active()) return false;
+      end();
+      return true;
+    default:
+      return false;
+  }
+}
+
+void ShapeSketch::follow(const ToolContext& context, const CurveSketch& sketch, const Vector2& pixel,
+                         bool snaps) {
+  const auto at = sketch.place(context, pixel, snaps);
+  if (!at) return;
+  const Vector3 local = sketch.axes().transpose() * (*at - sketch.plane().point);
+  pointed_ = shape_ == SectionShape::circle ? Vector2::Constant(local.head<2>().norm())
+                                            : Vector2(local.head<2>().cwiseAbs());
+}
+
+Vector2 ShapeSketch::half() const {
+  if (!input_.active()) return pointed_;
+  const double width = input_.value(0).value_or(2 * pointed_.x());
+  // A width alone is a square or a circle.
+  const double height = input_.size() > 1 ? input_.value(1).value_or(width) : width;
+  return Vector2(width, height) / 2;
+}
+
+bool ShapeSketch::fill(CurveSketch& sketch) const {
+  const Vector2 size = half();
+  if (!active() || !(size.minCoeff() > 0) || !size.allFinite()) return false;
+  ShapePoints shape = shape_points(*shape_, sketch.plane().point, sketch.axes(), size);
+  sketch.fill(std::move(shape.points), std::move(shape.sharp), true, true);
+  return true;
+}
+
+void ShapeSketch::draw(const ToolContext& context, const ToolOverlay& overlay,
+                       const CurveSketch& sketch) const {
+  CurveSketch shown = sketch;
+  if (fill(shown)) draw_curve(context.projector(), overlay, shown.curve(), palette().hot, 2);
+}
+
+std::string ShapeSketch::text(const Editor& editor) const {
+  if (!active()) return {};
+  const Language& tr = editor.language;
+  const char* name = *shape_ == SectionShape::circle    ? "Circle"
+                     : *shape_ == SectionShape::ellipse ? "Ellipse"
+                                                        : "Rectangle";
+  const Vector2 size = 2 * half();
+  const auto number = [&](std::size_t i) {
+    const bool typed =
+        input_.active() && i < input_.size() && (!input_.text(i).empty() || i == input_.current());
+    return typed ? input_.text(i) + (i == input_.current() ? "|" : "") : length_text(editor, size[int(i)]);
+  };
+  std::string text = std::string(tr(name)) + "  " + number(0);
+  if (*shape_ != SectionShape::circle) text += " \u00d7 " + number(1);
+  return text;
+}
+
+ShapePoints shape_points(SectionShape shape, const Vector3& middle, const Matrix3& axes,
+                         const Vector2& half) {
+  ShapePoints out;
+  const auto add = [&](double x, double y, bool sharp) {
+    out.points.push_back(middle + x * axes.col(0) + y * axes.col(1));
+    out.sharp.push_back(sharp ? 1 : 0);
+  };
+  if (shape == SectionShape::rectangle) {
+    constexpr std::array<std::array<double, 2>, 4> corners{{{1, -1}, {1, 1}, {-1, 1}, {-1, -1}}};
+    for (const auto& corner : corners) add(corner[0] * half.x(), corner[1] * half.y(), true);
+    return out;
+  }
+  // Through so many points a cubic curve is round to a ten thousandth.
+  constexpr int count = 8;
+  const double height = shape == SectionShape::circle ? half.x() : half.y();
+  for (int i = 0; i < count; ++i) {
+    const double angle = 2 * std::numbers::pi * i / count;
+    add(half.x() * std::cos(angle), height * std::sin(angle), false);
+  }
+  return out;
 }
 
 }  // namespace hariko

@@ -8,7 +8,8 @@
 
 #include "core/skinning/sections/section_frame.hpp"
 #include "core/subdivision/subdivision_curve.hpp"
-#include "ui/view/snap_catcher.hpp"
+#include "ui/editor/numeric_input.hpp"
+#include "ui/view/snapping.hpp"
 #include "ui/view/tool.hpp"
 
 namespace hariko {
@@ -77,5 +78,41 @@ class CurveSketch {
 /// A curve of the document's space on the picture.
 void draw_curve(const Projector& projector, const ToolOverlay& overlay, const SubdivisionCurve& curve,
                 ImU32 colour, float width);
+
+enum class SectionShape { circle, ellipse, rectangle };
+
+/// Points that the closed curve of a shape goes through, and its corners, about the origin of a plane whose
+/// axes are the first two columns of `axes`. `half`: half its width and height, both above zero; a circle has
+/// the first one only.
+struct ShapePoints {
+  std::vector<Vector3> points;
+  std::vector<char> sharp;
+};
+ShapePoints shape_points(SectionShape shape, const Vector3& middle, const Matrix3& axes, const Vector2& half);
+
+class ShapeSketch {
+ public:
+  bool active() const { return shape_.has_value(); }
+  void begin(SectionShape shape, Unit unit);
+  void end() { shape_.reset(); }
+  /// O a circle, E an ellipse, R a rectangle; then digits, its width and, after Tab, its height. False for
+  /// other keys.
+  bool key(const KeyPress& press, Unit unit);
+  /// The pointer is at its edge or corner, on the grid with `snaps`.
+  void follow(const ToolContext& context, const CurveSketch& sketch, const Vector2& pixel, bool snaps);
+  /// Makes the shape what was drawn; false while it has no size.
+  bool fill(CurveSketch& sketch) const;
+  void draw(const ToolContext& context, const ToolOverlay& overlay, const CurveSketch& sketch) const;
+  /// "Ellipse 40 × 20 mm", with what is being typed.
+  std::string text(const Editor& editor) const;
+
+ private:
+  /// Half the width and height that count now.
+  Vector2 half() const;
+
+  std::optional<SectionShape> shape_;
+  NumericInput input_;
+  Vector2 pointed_ = Vector2::Zero();  ///< half the size that the pointer gives
+};
 
 }  // namespace hariko

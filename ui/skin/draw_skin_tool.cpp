@@ -1,4 +1,4 @@
-#include "ui/skin/draw_skin_tool.hpp"
+#include "ui/skin/skin_tools.hpp"
 
 #include <GLFW/glfw3.h>
 
@@ -14,9 +14,7 @@
 #include "ui/editor/skin_edits.hpp"
 #include "ui/editor/skin_view.hpp"
 #include "ui/skin/curve_sketch.hpp"
-#include "ui/skin/shape_sketch.hpp"
 #include "ui/view/overlay_drawing.hpp"
-#include "ui/view/plane_grid.hpp"
 
 namespace hariko {
 
@@ -55,9 +53,8 @@ CurveSketch::Plane plane_across(const SubdivisionCurve& path, double v) {
 }
 
 /// Enter, keys of the curve, and what is shown of both.
-class DrawingTool : public Tool {
+class DrawingTool : public ModalTool {
  public:
-  bool modal() const override { return true; }
   void begin(ToolContext& context, const PointerEvent& press) override {
     pointer_ = press.pixel;
     before_ = context.editor.camera();
@@ -65,7 +62,7 @@ class DrawingTool : public Tool {
   std::optional<ToolState> key(ToolContext& context, const KeyPress& press) override {
     error_.clear();
     const Unit unit = context.editor.document().unit;
-    if (press.chord.key == GLFW_KEY_ENTER || press.chord.key == GLFW_KEY_KP_ENTER) {
+    if (press.chord.key == GLFW_KEY_ENTER) {
       if (!shape_.active()) return go_on(context);
       set_shape();
       return ToolState::stay;
@@ -81,8 +78,7 @@ class DrawingTool : public Tool {
       return ToolState::stay;
     }
     if (sketch_.key(press)) return ToolState::stay;
-    if (press.chord.control || press.chord.alt || press.text == 0) return std::nullopt;
-    return ToolState::stay;
+    return unused_key(press);
   }
   void cancel(ToolContext& context) override {
     if (turned_) context.editor.fly_to(before_);
@@ -141,15 +137,15 @@ class DrawingTool : public Tool {
     return "   x " + length_text(context.editor, local.x()) + "   y " +
            length_text(context.editor, local.y());
   }
+  const char* lacks_points() const {
+    return sketch_.closed() ? "A closed curve needs three points." : "A curve needs two points.";
+  }
   void set_shape() {
     if (shape_.fill(sketch_)) shape_.end();
   }
   void take_nearest(const ToolContext& context) {
     const auto section = nearest(context);
-    if (!section) {
-      error_ = context.editor.language("There is no other section yet.");
-      return;
-    }
+    if (!section) return void(refuse(context, "There is no other section yet."));
     sketch_.fill(carried(*section, sketch_.plane()), section->curve.sharp, section->curve.closed, false);
     shape_.end();
   }
@@ -167,11 +163,9 @@ class DrawingTool : public Tool {
 
   CurveSketch sketch_;
   ShapeSketch shape_;
-  Vector2 pointer_ = Vector2::Zero();
   Camera before_;
   bool turned_ = false;  ///< the view
   std::optional<SnapTarget> caught_;
-  std::string error_;
 };
 
 class DrawSkinTool final : public DrawingTool {
@@ -211,15 +205,9 @@ class DrawSkinTool final : public DrawingTool {
   }
 
   ToolState go_on(ToolContext& context) override {
-    const Language& tr = context.editor.language;
-    if (!sketch_.complete()) {
-      error_ = tr(sketch_.closed() ? "A closed curve needs three points." : "A curve needs two points.");
-      return ToolState::stay;
-    }
-    if (done_.size() == 2 && done_[1].closed() != sketch_.closed()) {
-      error_ = tr("Both sections are closed, or none.");
-      return ToolState::stay;
-    }
+    if (!sketch_.complete()) return refuse(context, lacks_points());
+    if (done_.size() == 2 && done_[1].closed() != sketch_.closed())
+      return refuse(context, "Both sections are closed, or none.");
     if (done_.size() == 2) return finish(context);
     done_.push_back(sketch_);
     begin_section(context);
@@ -247,17 +235,11 @@ class DrawSkinTool final : public DrawingTool {
   ToolState finish(ToolContext& context) {
     Editor& editor = context.editor;
     const auto skin = skin_between(done_[0].curve(), done_[1].curve(), sketch_.curve());
-    if (!skin) {
-      error_ = editor.language.text_of(skin.error());
-      return ToolState::stay;
-    }
+    if (!skin) return refuse(context, skin.error());
     const Document& document = editor.history.current();
     const auto added =
         add_object(document, free_name(document, editor.language("Skin")), Source(SkinSource{*skin, {}}));
-    if (!added) {
-      error_ = editor.language.text_of(added.error());
-      return ToolState::stay;
-    }
+    if (!added) return refuse(context, added.error());
     editor.fly_to(before_);
     if (!editor.commit(added->document, translatable("Draw skin"))) return ToolState::cancel;
     editor.selection.clear_elements();
@@ -347,11 +329,7 @@ class DrawSectionTool final : public DrawingTool {
     Editor& editor = context.editor;
     const Object* object = shown_skin(editor);
     if (!object || !fixed_) return ToolState::stay;
-    if (!sketch_.complete()) {
-      error_ = editor.language(sketch_.closed() ? "A closed curve needs three points."
-                                                : "A curve needs two points.");
-      return ToolState::stay;
-    }
+    if (!sketch_.complete()) return refuse(context, lacks_points());
     const SubdivisionCurve curve = sketch_.curve();
     const Similarity inverse = object->transform.inverse();
     std::vector<Vector3> points;
@@ -363,10 +341,7 @@ class DrawSectionTool final : public DrawingTool {
         if (curve.is_sharp(i)) corners.push_back(edit->points[std::size_t(i)]);
       if (!corners.empty()) edit.value().skin = set_sharp(edit->skin, corners, true).value().skin;
     }
-    if (!edit) {
-      error_ = editor.language.text_of(edit.error());
-      return ToolState::stay;
-    }
+    if (!edit) return refuse(context, edit.error());
     editor.fly_to(before_);
     if (commit_skin(editor, object->id, edit, translatable("Draw section"))) select_new_points(editor, *edit);
     return ToolState::commit;

@@ -1,4 +1,4 @@
-#include "ui/skin/section_rows.hpp"
+#include "ui/skin/skin_properties.hpp"
 
 #include <imgui_internal.h>
 
@@ -10,6 +10,7 @@
 
 #include "core/skinning/sections/section_deviation.hpp"
 #include "ui/editor/skin_view.hpp"
+#include "ui/widgets/items.hpp"
 #include "ui/widgets/tips.hpp"
 #include "ui/widgets/value_fields.hpp"
 
@@ -25,7 +26,7 @@ namespace {
 
 // Fractions of the size of the sections.
 constexpr double good_distance = 1e-4, bad_distance = 1e-2;
-/// Where bars begin, and what is rounding.
+/// Distances at which bars begin, and below which all is rounding.
 constexpr double least_distance = 1e-6, no_distance = 1e-9;
 
 const std::vector<SectionMiss>& measured(PanelContext& context, const Surface& surface,
@@ -66,10 +67,7 @@ std::string distance_text(const PanelContext& context, double distance) {
 /// The value of a row with a bar; `fraction` of the size of the sections, 0 for none.
 void draw_value(const PanelContext& context, const std::string& text, double fraction) {
   const ImU32 colour = colour_of(between(good_distance, bad_distance, fraction));
-  {
-    const TextColour coloured(colour);
-    ImGui::TextUnformatted(text.c_str());
-  }
+  coloured_text(colour, text.c_str());
   const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
   const float begin = low.x + context.metrics.px(96), middle = 0.5F * (low.y + high.y),
               half = context.metrics.px(2.5F);
@@ -106,7 +104,7 @@ void draw_section_rows(PanelContext& context, const Object& object) {
   // They are read, not pressed, and may be many.
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {ImGui::GetStyle().FramePadding.x, 0});
   constexpr std::size_t most_rows = 10;
-  if (std::all_of(misses.begin(), misses.end(), exact)) {
+  if (std::ranges::all_of(misses, exact)) {
     draw_row(context, tr("All sections"), tr("exact"), 0, tr("The surface goes through all sections."),
              "skin.miss.all");
   } else {

@@ -6,14 +6,11 @@
 #include "core/skinning/edit/add_section.hpp"
 #include "core/skinning/edit/edit_path.hpp"
 #include "core/skinning/edit/symmetric_edit.hpp"
+#include "ui/editor/command_host.hpp"
 #include "ui/editor/new_object.hpp"
 #include "ui/editor/skin_edits.hpp"
 #include "ui/editor/skin_view.hpp"
-#include "ui/skin/add_section_tool.hpp"
-#include "ui/skin/correspond_tool.hpp"
-#include "ui/skin/draw_skin_tool.hpp"
-#include "ui/skin/skin_commands.hpp"
-#include "ui/skin/slide_section_tool.hpp"
+#include "ui/skin/skin_tools.hpp"
 #include "ui/view/viewport.hpp"
 #include "ui/widgets/application_services.hpp"
 
@@ -69,14 +66,10 @@ void run_edit(Editor& editor, const MakeEdit& make, const char* step) {
 /// A row of the menu that makes one edit; the step is called as the row is.
 void add_edit(CommandHost& host, const char* id, const char* label, const char* help, const WhyNot& why_not,
               MakeEdit make) {
-  host.table.add(
-      {.id = id,
-       .menu = "Skin",
-       .label = label,
-       .help = help,
-       .changes_document = true,
-       .run = [&editor = host.editor, label, make = std::move(make)] { run_edit(editor, make, label); },
-       .why_not = why_not});
+  MenuRows(host.table, "Skin")
+      .add_edit(
+          id, label, help,
+          [&editor = host.editor, label, make = std::move(make)] { run_edit(editor, make, label); }, why_not);
 }
 
 /// The middle of the strip behind the selected section, of the longest one where none is selected.
@@ -100,8 +93,7 @@ std::vector<std::uint32_t> chosen_sections(const Editor& editor) {
   const auto points = selected_section_points(editor);
   std::vector<std::uint32_t> out;
   for (const SkinSection& section : skin_of(editor).sections)
-    if (std::any_of(points.begin(), points.end(),
-                    [&](std::uint32_t id) { return find_point(section, id) >= 0; }))
+    if (std::ranges::any_of(points, [&](std::uint32_t id) { return find_point(section, id) >= 0; }))
       out.push_back(section.id);
   return out;
 }
@@ -120,21 +112,13 @@ void add_point_commands(CommandHost& host) {
   Editor& editor = host.editor;
   const WhyNot skin = needs_skin(editor), points = needs_points(editor, false),
                one = needs_points(editor, true);
-  host.table.add({.id = "skin.insert_point",
-                  .menu = "Skin",
-                  .label = "Insert point",
-                  .help = "One more point behind the selected one; the section keeps its shape.",
-                  .changes_document = true,
-                  .separator_before = true,
-                  .run = [&editor] { insert_point(editor); },
-                  .why_not = one});
-  host.table.add({.id = "skin.delete_points",
-                  .menu = "Skin",
-                  .label = "Delete points",
-                  .help = "The section goes through the points that are left.",
-                  .changes_document = true,
-                  .run = [&editor] { delete_selected_points(editor); },
-                  .why_not = points});
+  MenuRows rows(host.table, "Skin");
+  rows.add_edit("skin.insert_point", "Insert point",
+                "One more point behind the selected one; the section keeps its shape.",
+                [&editor] { insert_point(editor); }, one, {.separator_before = true});
+  rows.add_edit(
+      "skin.delete_points", "Delete points", "The section goes through the points that are left.",
+      [&editor] { delete_selected_points(editor); }, points);
   add_edit(host, "skin.refine", "Refine section", "Twice as many points; the section stays exactly as it is.",
            one, [&editor](const Skin& s) { return refine_section(s, selected_section(editor)->id); });
   add_edit(host, "skin.flip_section", "Turn section round", "Swaps the ends of the section.", one,
@@ -153,16 +137,13 @@ void add_point_commands(CommandHost& host) {
 void add_section_commands(CommandHost& host) {
   Editor& editor = host.editor;
   const WhyNot skin = needs_skin(editor), one = needs_points(editor, true);
-  host.table.add(
-      {.id = "skin.add_section",
-       .menu = "Skin",
-       .label = "Add section",
-       .help = "A section taken from the surface, in the middle behind the selected one.",
-       .changes_document = true,
-       .separator_before = true,
-       .run = [&host,
-               &editor] { host.application.add_section(shown_skin(editor)->id, place_for_section(editor)); },
-       .why_not = skin,
+  MenuRows rows(host.table, "Skin");
+  rows.add_edit(
+      "skin.add_section", "Add section",
+      "A section taken from the surface, in the middle behind the selected one.",
+      [&host, &editor] { host.application.add_section(shown_skin(editor)->id, place_for_section(editor)); },
+      skin,
+      {.separator_before = true,
        .script = {.arguments = {optional(
                       number_argument("place", translatable("Place on the path, 0 to 1"), {}, 0, 1))},
                   .run = [&host, &editor](const Arguments& given) {
@@ -172,13 +153,8 @@ void add_section_commands(CommandHost& host) {
                   }}});
   const auto tool = [&](const char* id, const char* label, const char* help, const WhyNot& why_not,
                         std::function<std::unique_ptr<Tool>()> make) {
-    host.table.add({.id = id,
-                    .menu = "Skin",
-                    .label = label,
-                    .help = help,
-                    .needs_window = true,
-                    .run = [&host, make = std::move(make)] { host.viewport.start_modal(make()); },
-                    .why_not = why_not});
+    rows.add(id, label, help, [&host, make = std::move(make)] { host.viewport.start_modal(make()); }, why_not,
+             {.needs_window = true});
   };
   tool("skin.section_here", "Add section by click\u2026",
        "A section taken from the surface where it is clicked.", skin, [&host] {
@@ -200,14 +176,11 @@ void add_path_commands(CommandHost& host) {
   const auto insert = [&editor](const Skin& s) {
     return insert_path_point(s, std::min(selected_path_points(editor).front(), s.path.spans() - 1));
   };
-  host.table.add({.id = "skin.insert_path_point",
-                  .menu = "Skin",
-                  .label = "Insert path point",
-                  .help = "One more point behind the selected one of the path; it keeps its shape.",
-                  .changes_document = true,
-                  .separator_before = true,
-                  .run = [&editor, insert] { run_edit(editor, insert, translatable("Insert path point")); },
-                  .why_not = point});
+  MenuRows(host.table, "Skin")
+      .add_edit("skin.insert_path_point", "Insert path point",
+                "One more point behind the selected one of the path; it keeps its shape.",
+                [&editor, insert] { run_edit(editor, insert, translatable("Insert path point")); }, point,
+                {.separator_before = true});
   add_edit(host, "skin.delete_path_point", "Delete path point",
            "The path goes through the points that are left.", point,
            [&editor](const Skin& s) { return delete_path_point(s, selected_path_points(editor).front()); });
@@ -225,35 +198,25 @@ void add_path_commands(CommandHost& host) {
 void add_skin_commands(CommandHost& host) {
   Editor& editor = host.editor;
   const WhyNot skin = needs_skin(editor);
-  host.table.add({.id = "skin.draw",
-                  .menu = "Skin",
-                  .label = "Draw skin\u2026",
-                  .help = "Draw a path and two sections, by hand or by points: a new skin.",
-                  .needs_window = true,
-                  .run = [&host, &editor] {
-                    begin_document(editor);
-                    host.viewport.start_modal(make_draw_skin_tool());
-                  }});
-  host.table.add(
-      {.id = "skin.correspond",
-       .menu = "Skin",
-       .label = "Correspondences\u2026",
-       .help = "Draw over the sections which points belong together: a line joins, a closed curve groups, a "
-               "wedge merges.",
-       .needs_window = true,
-       .run = [&host] { host.viewport.start_modal(make_correspond_tool()); },
-       .why_not = skin});
+  MenuRows rows(host.table, "Skin");
+  rows.add("skin.draw", "Draw skin\u2026", "Draw a path and two sections, by hand or by points: a new skin.",
+           [&host, &editor] {
+             begin_document(editor);
+             host.viewport.start_modal(make_draw_skin_tool());
+           },
+           {}, {.needs_window = true});
+  rows.add(
+      "skin.correspond", "Correspondences\u2026",
+      "Draw over the sections which points belong together: a line joins, a closed curve groups, a wedge "
+      "merges.",
+      [&host] { host.viewport.start_modal(make_correspond_tool()); }, skin, {.needs_window = true});
   add_point_commands(host);
   add_section_commands(host);
   add_path_commands(host);
-  host.table.add(
-      {.id = "skin.to_polyhedron",
-       .menu = "Skin",
-       .label = "Convert to polyhedron",
-       .help = "A polyhedron through points of the surface, with its tangent planes; the skin is hidden.",
-       .separator_before = true,
-       .run = [&host, &editor] { host.application.convert(shown_skin(editor)->id); },
-       .why_not = skin});
+  rows.add("skin.to_polyhedron", "Convert to polyhedron",
+           "A polyhedron through points of the surface, with its tangent planes; the skin is hidden.",
+           [&host, &editor] { host.application.convert(shown_skin(editor)->id); }, skin,
+           {.separator_before = true});
 }
 
 }  // namespace hariko

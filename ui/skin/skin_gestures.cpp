@@ -1,11 +1,11 @@
-// What strokes over a skin mean.
+// Gestures: the meaning of strokes over a skin.
 
 #include <algorithm>
 #include <limits>
 #include <map>
 
 #include "core/geometry/polygon.hpp"
-#include "ui/skin/correspond_tool.hpp"
+#include "ui/skin/skin_tools.hpp"
 
 namespace hariko {
 
@@ -99,7 +99,7 @@ class Gesture {
   };
   struct Crossing {
     Vector2 pixel = Vector2::Zero();
-    double parameter = 0;  ///< of the section's curve, 0 .. 1
+    double parameter = 0;  ///< parameter of the section's curve, 0 .. 1
   };
 
   std::optional<Vector2> pixel(const Vector3& point) const { return pixel_of(object_, projector_, point); }
@@ -145,7 +145,7 @@ class Gesture {
     return nullptr;
   }
 
-  /// Where a straight stroke crosses a section's curve on the screen; a beginning within 10 pixels of it
+  /// Crossing of a straight stroke with a section's curve on the screen; a beginning within 10 pixels of it
   /// counts.
   std::optional<Crossing> crossing_with(int section, const Vector2& from, const Vector2& to) const {
     const auto* curve = shown(section);

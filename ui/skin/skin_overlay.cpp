@@ -1,4 +1,3 @@
-#include "ui/skin/skin_overlay.hpp"
 
 #include <algorithm>
 #include <array>
@@ -7,7 +6,7 @@
 #include <vector>
 
 #include "core/skinning/skin_messages.hpp"
-#include "ui/skin/skin_tool.hpp"
+#include "ui/skin/skin_tools.hpp"
 #include "ui/view/overlay_drawing.hpp"
 #include "ui/view/skin_sight.hpp"
 
@@ -154,7 +153,7 @@ class Drawing {
   const SkinSight& sight_;
 };
 
-/// What an error is about: a point, all of the section that has it, or the path.
+/// Subject of an error: a point, all of the section that has it, or the path.
 struct Wrong {
   std::optional<std::uint32_t> point;
   bool section = false, path = false;
@@ -195,7 +194,7 @@ void draw_mirror(const Drawing& drawing, const Skin& skin, Marks* marks) {
   drawing.mark(marks, "skin.mirror", corners[0]);
 }
 
-/// What is not as in a regular grid: triangles tinted, extraordinary points ringed.
+/// Irregularities, which are not as in a regular grid: triangles tinted, extraordinary points ringed.
 void draw_irregularities(const Drawing& drawing, const SkinView& view, const SkinSight& sight) {
   for (const auto& triangle : view.triangles)
     drawing.fill(triangle, with_alpha(drawing.colours.merge, 0.15F));
@@ -215,7 +214,7 @@ void draw_lines(const Drawing& drawing, const SkinView& view) {
     }
 }
 
-/// How a handle is to be seen.
+/// Looks of a handle.
 enum class HandleState { plain, pale, hot, selected, wrong };
 
 void draw_handle(const Drawing& drawing, const SkinView::Handle& handle, HandleState state, Marks* marks) {
@@ -279,7 +278,7 @@ void SkinOverlay::draw(const ToolContext& context, const LayerPane& pane) {
     const bool red = k >= 0 && find_point(skin.sections[std::size_t(k)], *wrong.point) >= 0;
     drawing.polyline(section.polygon, with_alpha(colours.section, 0.35F), 1, section.closed);
     drawing.polyline_on_surface(section.curve, red ? palette().error : colours.section, 2);
-    // Where it begins and which way it runs.
+    // Arrow in the first span: where the curve begins and which way it runs.
     if (constexpr std::size_t half = curve_samples / 2; section.curve.size() > 2 * half)
       drawing.arrow(section.curve[half - 1], section.curve[half + 1],
                     red ? palette().error : colours.section);
@@ -294,7 +293,7 @@ void SkinOverlay::draw(const ToolContext& context, const LayerPane& pane) {
                               : hot                                            ? HandleState::hot
                               : sight.hides_handle(i)                          ? HandleState::pale
                                                                                : HandleState::plain;
-    // What cannot be taken hold of is not shown.
+    // Handles that cannot be taken hold of are not shown.
     if (state != HandleState::pale || sight.through()) draw_handle(drawing, handle, state, marks);
   }
   for (std::size_t i = 0; i < view.diamonds.size(); ++i) {

@@ -2,8 +2,7 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <functional>
+#include <span>
 #include <string_view>
 
 #include "core/document/edits/edit_skin.hpp"
@@ -15,10 +14,7 @@
 #include "core/skinning/skin_messages.hpp"
 #include "ui/editor/skin_edits.hpp"
 #include "ui/editor/skin_view.hpp"
-#include "ui/skin/section_rows.hpp"
-#include "ui/widgets/enum_labels.hpp"
-#include "ui/widgets/tips.hpp"
-#include "ui/widgets/value_fields.hpp"
+#include "ui/widgets/binding.hpp"
 
 namespace hariko {
 
@@ -31,112 +27,85 @@ constexpr std::array skin_mirror_choices{
     Choice{"Across Z", "What is done to a point of a section is done to its image, too"},
 };
 
-/// Changes the skin of the active object.
-Result<Document> changed(const Document& document, ObjectId object,
-                         const std::function<void(Skin&)>& change) {
-  const Object* found = document.find(object);
-  if (!found || !found->skin()) return document;
-  Skin skin = *found->skin()->skin;
-  change(skin);
-  return set_skin(document, object, skin);
+const Skin* skin_of_object(const Object& object) {
+  return object.skin() ? object.skin()->skin.get() : nullptr;
+}
+constexpr auto skin_part = whole_part<Skin, &skin_of_object, &set_skin>();
+
+bool is_pleated(const Skin& skin) {
+  return skin.method == SkinMethod::pleat;
+}
+bool is_grid(const Skin& skin) {
+  return !is_pleated(skin);
 }
 
-/// Over the rest of the row. Mark: "button.<id>".
-bool button(PanelContext& context, const std::string& id, const char* label, const char* help) {
-  const bool pressed = ImGui::Button((context.tr(label) + ("###" + id)).c_str(), {-1, 0});
-  if (ImGui::IsItemHovered()) show_tip(context.tr(help));
-  context.marks.item("button." + id);
-  return pressed;
-}
+constexpr PropertyRange grid_lines = whole_range(0, 500, 0);
 
-class Rows {
- public:
-  Rows(PanelContext& context, const Object& object)
-      : context_(context), object_(object.id), skin_(*object.skin()->skin) {}
+/// Rows that stand alone among others which have more to say.
+constexpr auto skin_method = member_property<&Skin::method>(
+    {"skin_method", "Method", "How the surface spans the sections", "Method of the skin"});
+constexpr auto skin_caps = member_property<&Skin::caps>(
+    {"skin_caps", "Ends", "What closes a tube", "Ends of the skin"}, {},
+    [](const Skin& skin) { return has_closed_sections(skin) && !skin.path.closed; });
+constexpr Property<Skin> skin_mirror{
+    list_row("skin_mirror", "Mirror", "Edits of sections change both halves", "Mirror of the skin",
+             skin_mirror_choices, enum_words<SymmetryPlane>),
+    [](const Skin& skin) { return skin.mirror ? skin.mirror->axis + 1.0 : 0.0; },
+    [](Skin& skin, double chosen) {
+      skin.mirror.reset();
+      if (chosen > 0) skin.mirror = mirror_plane(skin, static_cast<int>(chosen) - 1);
+    }};
 
-  template <class Set>
-  void choice(const char* id, const char* label, const char* help, std::span<const Choice> choices,
-              int current, const char* step, const Set& set) {
-    if (const auto chosen = choose(context_, id, label, help, choices, current))
-      commit(step, [&](Skin& skin) { set(skin, *chosen); });
-  }
-
-  /// Among all enumerators; `get` gives a reference to the member.
-  template <class Get>
-  void choice(const char* id, const char* label, const char* help, const char* step, const Get& get) {
-    if (const auto chosen = choose(context_, id, label, help, std::optional(get(skin_))))
-      commit(step, [&](Skin& skin) { get(skin) = *chosen; });
-  }
-
-  void check(const char* id, const char* label, const char* help, const char* step, bool Skin::*member) {
-    if (const auto on = check_row(context_, id, label, help, skin_.*member))
-      commit(step, [&](Skin& skin) { skin.*member = *on; });
-  }
-  void check(const char* id, const char* label, const char* help, const char* step,
-             bool PleatOptions::*member) {
-    if (const auto on = check_row(context_, id, label, help, skin_.pleat.*member))
-      commit(step, [&](Skin& skin) { skin.pleat.*member = *on; });
-  }
-
-  void slider(const char* id, const char* label, const char* help, double low, double high, double standard,
-              double PleatOptions::*member) {
-    Quantity quantity = plain_quantity(3, 0.1);
-    quantity.low = low, quantity.high = high, quantity.standard = standard;
-    quantity.multiplies = true;
-    slider_row(context_, {id, label, help, label, quantity}, low, high, true, skin_.pleat.*member,
-               [object = object_, quantity, member](const Document& document, const ValueChange& change) {
-                 return changed(document, object, [&](Skin& skin) {
-                   skin.pleat.*member = change.apply(quantity, skin.pleat.*member);
-                 });
-               });
-  }
-
-  void count(const char* id, const char* label, const char* help, int SmoothOptions::*member) {
-    Quantity quantity = plain_quantity(0, 1);
-    quantity.low = 0, quantity.high = 500, quantity.standard = 0;
-    value_row(context_, {id, label, help, label, quantity}, double(skin_.smooth.*member),
-              [object = object_, quantity, member](const Document& document, const ValueChange& change) {
-                return changed(document, object, [&](Skin& skin) {
-                  skin.smooth.*member = int(std::lround(change.apply(quantity, double(skin.smooth.*member))));
-                });
-              });
-  }
-
-  /// The plane of symmetric edits, and what makes the sections symmetric about it.
-  void mirror(const Object& object) {
-    choice("skin_mirror", "Mirror", "Edits of sections change both halves", skin_mirror_choices,
-           skin_.mirror ? skin_.mirror->axis + 1 : 0, "Mirror of the skin", [](Skin& skin, int chosen) {
-             skin.mirror.reset();
-             if (chosen > 0) skin.mirror = mirror_plane(skin, chosen - 1);
-           });
-    if (!skin_.mirror) return;
-    const Box3 box = box_at_own_place(object);
-    const Quantity quantity =
-        length_quantity(context_.editor.document().unit, box.isEmpty() ? 1 : box.sizes().maxCoeff());
-    value_row(context_,
-              {"skin_mirror_at", "At", "Where the mirror is on the axis of the object", "Mirror of the skin",
-               quantity},
-              skin_.mirror->position,
-              [id = object_, quantity](const Document& document, const ValueChange& change) {
-                return changed(document, id, [&](Skin& skin) {
-                  if (skin.mirror) skin.mirror->position = change.apply(quantity, skin.mirror->position);
-                });
-              });
-    row_label(context_, "", "");
-    if (button(context_, "skin_symmetric", "Make symmetric",
-               "The halves of the selected sections, or of all, become mirror images of each other."))
-      context_.run("skin.symmetric");
-  }
-
- private:
-  void commit(const char* step, const std::function<void(Skin&)>& change) {
-    context_.editor.commit(changed(context_.editor.history.current(), object_, change), step);
-  }
-
-  PanelContext& context_;
-  ObjectId object_;
-  Skin skin_;
+/// All of them, those of pleated skins before those of regular grids.
+constexpr std::array all_skin_properties{
+    skin_method,
+    skin_caps,
+    skin_mirror,
+    member_property<&Skin::pleat, &PleatOptions::density>(
+        {"skin_density", "Density", "Rows for each span of the path", "Density",
+         logarithmic_range(0.25, 8, 1, 3, 0.1)},
+        &is_pleated),
+    member_property<&Skin::pleat, &PleatOptions::fit>(
+        {"skin_fit", "Fit sections", "Whether the surface goes through the sections between the ends",
+         "Fit of the skin"},
+        &is_pleated),
+    member_property<&Skin::pleat, &PleatOptions::tension>(
+        {"skin_tension", "Tension", "Low flows like a spline, high runs straight from section to section",
+         "Tension", logarithmic_range(5, 1e4, 200, 3, 0.1)},
+        &is_pleated, [](const Skin& skin) { return skin.pleat.fit == SectionFit::fair; }),
+    member_property<&Skin::pleat, &PleatOptions::cost>(
+        {"skin_match", "Match by", "How points find those of the next section where no line is drawn",
+         "Matching of the skin"},
+        &is_pleated),
+    member_property<&Skin::pleat, &PleatOptions::quad_fans>(
+        {"skin_quads", "Quads in fans", "Pairs of triangles become quads: rounder where lines merge",
+         "Quads in fans"},
+        &is_pleated),
+    member_property<&Skin::pleat, &PleatOptions::collars>(
+        {"skin_collars", "Collars", "Rows of their own beside sections, so that these can be exact",
+         "Collars"},
+        &is_pleated),
+    member_property<&Skin::smooth, &SmoothOptions::columns>(
+        {"skin_columns", "Columns", "Control points across; 0: as many as the sections suggest", "Columns",
+         grid_lines},
+        &is_grid),
+    member_property<&Skin::smooth, &SmoothOptions::rows>(
+        {"skin_rows", "Rows", "Control points along; 0: as many as the path suggests", "Rows", grid_lines},
+        &is_grid),
+    member_property<&Skin::smooth, &SmoothOptions::blend>(
+        {"skin_blend", "Blend", "How one section becomes the next", "Blend of the skin"}, &is_grid),
+    member_property<&Skin::smooth, &SmoothOptions::parameters>(
+        {"skin_placed", "Place columns", "Where the columns cross the sections", "Place columns"}, &is_grid,
+        [](const Skin& skin) { return skin.method == SkinMethod::smooth; }),
+    member_property<&Skin::creases>({"skin_creases", "Creases",
+                                     "Corners of sections become sharp edges of the surface",
+                                     "Creases of the skin"}),
+    member_property<&Skin::flip_normals>(
+        {"skin_flip", "Inside out", "Swaps the outside and the inside", "Turn the skin inside out"}),
 };
+
+/// Rows that are needed once, if ever.
+constexpr auto later_skin_properties = std::span(all_skin_properties).subspan(3);
 
 void set_frame(Editor& editor, const Object& object, FrameMode frame) {
   const Skin& skin = *object.skin()->skin;
@@ -195,60 +164,41 @@ const SkinSection* twisted_section(const Skin& skin, const std::vector<Message>&
   return nullptr;
 }
 
-/// How pleated skins span their sections.
-void pleat_rows(Rows& rows, const Skin& skin) {
-  rows.slider("skin_density", "Density", "Rows for each span of the path", 0.25, 8, 1,
-              &PleatOptions::density);
-  rows.choice(
-      "skin_fit", "Fit sections", "Whether the surface goes through the sections between the ends",
-      "Fit of the skin", [](auto& s) -> auto& { return s.pleat.fit; });
-  if (skin.pleat.fit == SectionFit::fair)
-    rows.slider("skin_tension", "Tension",
-                "Low flows like a spline, high runs straight from section to section", 5, 1e4, 200,
-                &PleatOptions::tension);
-  rows.choice(
-      "skin_match", "Match by", "How points find those of the next section where no line is drawn",
-      "Matching of the skin", [](auto& s) -> auto& { return s.pleat.cost; });
-  rows.check("skin_quads", "Quads in fans", "Pairs of triangles become quads: rounder where lines merge",
-             "Quads in fans", &PleatOptions::quad_fans);
-  rows.check("skin_collars", "Collars", "Rows of their own beside sections, so that these can be exact",
-             "Collars", &PleatOptions::collars);
+/// The plane of symmetric edits, and what makes the sections symmetric about it.
+void mirror_rows(PanelContext& context, const Binding<Skin>& rows, const Skin& skin) {
+  rows.row(skin_mirror);
+  if (!skin.mirror) return;
+  rows.row(
+      {"skin_mirror_at",
+       "At",
+       "Where the mirror is on the axis of the object",
+       "Mirror of the skin",
+       {.unit = PropertyUnit::length}},
+      [](const Skin& shown) { return shown.mirror ? shown.mirror->position : 0; },
+      [](Skin& changed, double position) {
+        if (changed.mirror) changed.mirror->position = position;
+      });
+  row_label(context, "", "");
+  if (row_button(context, "skin_symmetric", "Make symmetric",
+                 "The halves of the selected sections, or of all, become mirror images of each other."))
+    context.run("skin.symmetric");
 }
 
-/// How regular grids span them.
-void grid_rows(Rows& rows, const Skin& skin) {
-  rows.count("skin_columns", "Columns", "Control points across; 0: as many as the sections suggest",
-             &SmoothOptions::columns);
-  rows.count("skin_rows", "Rows", "Control points along; 0: as many as the path suggests",
-             &SmoothOptions::rows);
-  rows.choice(
-      "skin_blend", "Blend", "How one section becomes the next", "Blend of the skin",
-      [](auto& s) -> auto& { return s.smooth.blend; });
-  if (skin.method == SkinMethod::smooth)
-    rows.choice(
-        "skin_placed", "Place columns", "Where the columns cross the sections", "Place columns",
-        [](auto& s) -> auto& { return s.smooth.parameters; });
-}
-
-/// Rows that are needed once, if ever.
-void more_rows(PanelContext& context, Rows& rows, const Object& object) {
+void more_rows(PanelContext& context, const Binding<Skin>& rows, const Object& object) {
   const Skin& skin = *object.skin()->skin;
-  rows.mirror(object);
+  mirror_rows(context, rows, skin);
   if (const auto on = check_row(context, "skin_closed_path", "Closed path",
                                 "The path runs back to its beginning", skin.path.closed))
     commit_skin(context.editor, object.id, set_path_closed(skin, *on), "Close or open path");
-  skin.method == SkinMethod::pleat ? pleat_rows(rows, skin) : grid_rows(rows, skin);
-  rows.check("skin_creases", "Creases", "Corners of sections become sharp edges of the surface",
-             "Creases of the skin", &Skin::creases);
-  rows.check("skin_flip", "Inside out", "Swaps the outside and the inside", "Turn the skin inside out",
-             &Skin::flip_normals);
+  rows.rows(later_skin_properties);
   if (selected_section(context.editor) &&
-      button(context, "skin_turn", "Turn section round", "Swaps the ends of the section."))
+      row_button(context, "skin_turn", "Turn section round", "Swaps the ends of the section."))
     context.run("skin.flip_section");
 }
 
 /// Rows of the skin that do not stand under "More".
-constexpr std::array<std::string_view, 4> first_rows{"skin_method", "skin_closed", "skin_caps", "skin_frame"};
+constexpr std::array<std::string_view, 7> first_rows{
+    "skin_method", "skin_closed", "skin_caps", "skin_frame", "skin_sharp", "skin_start", "skin_path_sharp"};
 
 }  // namespace
 
@@ -261,18 +211,15 @@ void draw_skin_properties(PanelContext& context) {
   point_section(context, shown);
   path_section(context, shown);
   heading(context, "Skin");
-  Rows rows(context, shown);
-  rows.choice(
-      "skin_method", "Method", "How the surface spans the sections", "Method of the skin",
-      [](auto& s) -> auto& { return s.method; });
-  const bool closed = has_closed_sections(skin);
-  if (const auto on = check_row(context, "skin_closed", "Tube",
-                                "Sections are closed curves and the skin is a tube", closed))
+  const Box3 box = box_at_own_place(shown);
+  const Binding<Skin> rows =
+      bind_part(context, shown, skin_part, box.isEmpty() ? 1.0 : box.sizes().maxCoeff());
+  rows.row(skin_method);
+  if (const auto on =
+          check_row(context, "skin_closed", "Tube", "Sections are closed curves and the skin is a tube",
+                    has_closed_sections(skin)))
     commit_skin(context.editor, shown.id, set_closed(skin, *on), "Close or open sections");
-  if (closed && !skin.path.closed)
-    rows.choice(
-        "skin_caps", "Ends", "What closes a tube", "Ends of the skin",
-        [](auto& s) -> auto& { return s.caps; });
+  rows.row(skin_caps);
   if (const auto chosen = choose(context, "skin_frame", "Rails", "How sections turn along the path",
                                  std::optional(skin.frame)))
     set_frame(context.editor, shown, *chosen);
@@ -280,12 +227,12 @@ void draw_skin_properties(PanelContext& context) {
   if (wanted.starts_with("skin_") &&
       std::find(first_rows.begin(), first_rows.end(), wanted) == first_rows.end())
     ImGui::SetNextItemOpen(true);
-  const bool more = ImGui::TreeNodeEx("##skin_more",
-                                      ImGuiTreeNodeFlags_SpanAvailWidth | ImGuiTreeNodeFlags_NoTreePushOnOpen,
-                                      "%s", context.tr("More"));
-  context.marks.item("section.skin_more");
-  if (more) more_rows(context, rows, shown);
+  if (folding_heading(context, "skin_more", translatable("More"))) more_rows(context, rows, shown);
   draw_section_rows(context, shown);
+}
+
+ObjectProperties<Skin> skin_properties() {
+  return {skin_part, all_skin_properties};
 }
 
 std::vector<SkinChoice> skin_choices() {
@@ -296,19 +243,18 @@ std::vector<SkinChoice> skin_choices() {
       out.push_back({std::string(id) + "." + std::to_string(i), name, choices[i].label, choices[i].help,
                      [choose, i](Editor& editor, const Object& object) { choose(editor, object, int(i)); }});
   };
-  list("skin_method", "Method", enum_choices<SkinMethod>,
-       [](Editor& editor, const Object& object, int chosen) {
-         editor.commit(changed(editor.history.current(), object.id,
-                               [&](Skin& skin) { skin.method = SkinMethod(chosen); }),
-                       "Method of the skin");
-       });
+  const auto property = [&](const Property<Skin>& of) {
+    list(of.row.id, of.row.label, of.row.choices, [of](Editor& editor, const Object& object, int chosen) {
+      editor.commit(
+          skin_part.edit(editor.history.current(), object.id, [&](Skin& skin) { of.set(skin, chosen); }),
+          of.row.step);
+    });
+  };
+  property(skin_method);
   list("skin_frame", "Rails", enum_choices<FrameMode>, [](Editor& editor, const Object& object, int chosen) {
     set_frame(editor, object, FrameMode(chosen));
   });
-  list("skin_caps", "Ends", enum_choices<Caps>, [](Editor& editor, const Object& object, int chosen) {
-    editor.commit(changed(editor.history.current(), object.id, [&](Skin& skin) { skin.caps = Caps(chosen); }),
-                  "Ends of the skin");
-  });
+  property(skin_caps);
   return out;
 }
 
@@ -316,10 +262,10 @@ void draw_skin_fix(PanelContext& context, const Object& object, const SurfaceVie
   if (!object.skin() || object.locked) return;
   const Skin& skin = *object.skin()->skin;
   if (view.error && view.error->code == e_section_range && !skin.path.closed) {
-    if (button(context, "skin_trim", "Trim path", "Cuts the path off at its first and its last section."))
+    if (row_button(context, "skin_trim", "Trim path", "Cuts the path off at its first and its last section."))
       commit_skin(context.editor, object.id, trim_path(skin), "Trim path");
   } else if (const SkinSection* section = twisted_section(skin, view.warnings)) {
-    if (button(context, "skin_untwist", "Turn section round", "Swaps the ends of the section."))
+    if (row_button(context, "skin_untwist", "Turn section round", "Swaps the ends of the section."))
       commit_skin(context.editor, object.id, flip_section(skin, section->id), "Turn section round");
   }
 }

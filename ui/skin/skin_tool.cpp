@@ -1,7 +1,6 @@
-#include "ui/skin/skin_tool.hpp"
+#include "ui/skin/skin_tools.hpp"
 
 #include <Eigen/Geometry>
-#include <algorithm>
 
 #include "core/document/edits/edit_skin.hpp"
 #include "core/skinning/edit/edit_path.hpp"
@@ -11,7 +10,6 @@
 #include "ui/editor/skin_edits.hpp"
 #include "ui/editor/skin_view.hpp"
 #include "ui/skin/correspondence_drag.hpp"
-#include "ui/skin/slide_section_tool.hpp"
 #include "ui/view/overlay_drawing.hpp"
 #include "ui/view/skin_sight.hpp"
 
@@ -21,7 +19,7 @@ namespace {
 
 using How = Selection::How;
 
-class SkinTool final : public Tool {
+class SkinTool final : public SpeakingTool {
  public:
   SkinTool(ObjectId object, SkinView view, SkinHit hit)
       : object_(object), view_(std::move(view)), hit_(hit) {}
@@ -50,7 +48,7 @@ class SkinTool final : public Tool {
     if (!dragging_) {
       if ((event.pixel - press_.pixel).norm() <= drag_threshold * editor.pixel_scale) return ToolState::stay;
       dragging_ = true;
-      // What is dragged is what the panel then shows.
+      // The panel then shows what is dragged.
       const VertexId id{handle() ? handle()->id : 0};
       if (handle() && !editor.selection.of(object_).vertices.contains(id)) select(editor);
     }
@@ -188,11 +186,9 @@ class SkinTool final : public Tool {
   SkinHit hit_;
   Skin skin_;
   PointerEvent press_;
-  Vector2 pointer_ = Vector2::Zero();
   Selection before_;
   std::optional<MergeDrag> merge_;
   bool dragging_ = false;
-  std::string error_;
 };
 
 }  // namespace

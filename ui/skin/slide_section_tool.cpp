@@ -1,14 +1,17 @@
-#include "ui/skin/slide_section_tool.hpp"
+#include "ui/skin/skin_tools.hpp"
 
 #include <GLFW/glfw3.h>
 
 #include <cmath>
 
 #include "core/skinning/edit/edit_path.hpp"
+#include "core/skinning/sections/skin_places.hpp"
 #include "ui/editor/numeric_input.hpp"
+#include "ui/editor/probe.hpp"
 #include "ui/editor/skin_edits.hpp"
 #include "ui/editor/skin_view.hpp"
 #include "ui/view/overlay_drawing.hpp"
+#include "ui/view/tool.hpp"
 
 namespace hariko {
 
@@ -16,7 +19,7 @@ namespace {
 
 constexpr double slide_reach = 8;  // design pixels
 
-class SlideSectionTool final : public Tool {
+class SlideSectionTool final : public SpeakingTool {
  public:
   SlideSectionTool(std::uint32_t section, bool modal) : section_(section), modal_(modal) {}
   bool modal() const override { return modal_; }
@@ -51,16 +54,11 @@ class SlideSectionTool final : public Tool {
   }
 
   std::optional<ToolState> key(ToolContext& context, const KeyPress& press) override {
-    if (press.chord.key == GLFW_KEY_ENTER || press.chord.key == GLFW_KEY_KP_ENTER) return confirm(context);
-    if (!input_.key(press)) {
-      if (press.chord.control || press.chord.alt || press.text == 0) return std::nullopt;
-      return ToolState::stay;
-    }
+    if (press.chord.key == GLFW_KEY_ENTER) return confirm(context);
+    if (!input_.key(press)) return unused_key(press);
     show(context, false);
     return ToolState::stay;
   }
-
-  void cancel(ToolContext& context) override { context.editor.cancel_preview(); }
 
   void draw(const ToolContext& context, const ToolOverlay& overlay) const override {
     if (!dragging_ && !modal_) return;
@@ -132,17 +130,92 @@ class SlideSectionTool final : public Tool {
   Skin skin_;      ///< at the beginning
   SkinView view_;  ///< likewise
   PointerEvent press_;
-  Vector2 pointer_ = Vector2::Zero();
   double from_ = 0, grip_ = 0, v_ = 0;  ///< places on the path: of the section, of the pointer, now
   bool dragging_ = false;
   NumericInput input_;
-  std::string error_;
 };
 
 }  // namespace
 
 std::unique_ptr<Tool> make_slide_section_tool(std::uint32_t section, bool modal) {
   return std::make_unique<SlideSectionTool>(section, modal);
+}
+
+namespace {
+
+class AddSectionTool final : public PointingTool {
+ public:
+  explicit AddSectionTool(AddSection add) : add_(std::move(add)) {}
+
+  ToolState update(ToolContext& context, const PointerEvent& event) override {
+    if (!shown_skin(context.editor)) return ToolState::commit;
+    pointer_ = event.pixel;
+    error_.clear();
+    look(context);
+    if (event.kind == PointerEvent::Kind::press) add(context);
+    return ToolState::stay;
+  }
+
+  std::optional<ToolState> key(ToolContext&, const KeyPress& press) override {
+    if (press.chord.key == GLFW_KEY_ENTER) return ToolState::commit;
+    return unused_key(press);
+  }
+
+  void cancel(ToolContext&) override {}
+
+  void draw(const ToolContext& context, const ToolOverlay& overlay) const override {
+    const Object* object = shown_skin(context.editor);
+    if (object && place_) {
+      std::vector<Vector3> line = sketch_;
+      for (Vector3& point : line) point = object->transform.apply(point);
+      draw_polyline(overlay, context.projector(), line, palette().hot, 2.5F);
+    }
+    draw_value_label(overlay, pointer_, error_.empty() ? value_text(context.editor.language) : error_,
+                     !error_.empty());
+  }
+
+  std::string hint(const Language& tr) const override {
+    return value_text(tr) + "   |   " + tr("Click the surface where a section is wanted   Enter or Esc ends");
+  }
+
+ private:
+  void look(const ToolContext& context) override {
+    place_.reset();
+    const Object* object = shown_skin(context.editor);
+    const Surface* surface = object ? shown_surface(context.editor, *object) : nullptr;
+    const SubdivisionPatchSet* patches = surface ? subdivision_patches(*surface) : nullptr;
+    if (!patches || !patches->skin()) return;
+    const auto hit = surface_point(context.scene, context.projector().ray(pointer_));
+    if (!hit || hit->object != object->id || hit->patch >= patches->patch_count()) return;
+    const SkinResult& result = *patches->skin();
+    place_ = place_on_path(patches->topology(), vertex_places(result.skin, result.mesh),
+                           result.skin.path.closed, hit->patch, hit->parameter);
+    if (place_) sketch_ = section_sketch(cache_.of(context.editor, *object), *place_);
+  }
+
+  void add(ToolContext& context) {
+    if (place_)
+      add_(shown_skin(context.editor)->id, *place_);
+    else
+      refuse(context, "Click the surface of the skin.");
+  }
+
+  std::string value_text(const Language& tr) const {
+    std::string text = tr("Section");
+    if (place_) text += "  " + fixed_text(100 * *place_, 1) + " %";
+    return text;
+  }
+
+  AddSection add_;
+  SkinViewCache cache_;
+  std::optional<double> place_;  ///< on the path, under the pointer
+  std::vector<Vector3> sketch_;
+};
+
+}  // namespace
+
+std::unique_ptr<Tool> make_add_section_tool(AddSection add) {
+  return std::make_unique<AddSectionTool>(std::move(add));
 }
 
 }  // namespace hariko

@@ -93,6 +93,17 @@ NewSolid upright(const char* name, const char* label, const char* step, const ch
           }};
 }
 
+/// The document with a new object of one solid.
+Result<Added> added_solids(const Editor& editor, const Solid& solid, const Similarity& place) {
+  const Document& document = editor.history.current();
+  EnvelopeInput input;
+  input.solids.push_back(solid);
+  choose_ball(input);
+  if (const auto checked = check_envelope(input); !checked) return checked.error();
+  return add_object(document, free_name(document, editor.language(translatable("Solids"))),
+                    SolidsSource{std::move(input), {}}, place, solids_display());
+}
+
 }  // namespace
 
 std::vector<NewSolid> new_solids() {
@@ -135,12 +146,7 @@ bool add_new_solid(Editor& editor, const NewSolid& shape, std::vector<OperationN
     return true;
   }
   const bool first = document.objects.empty();
-  EnvelopeInput input;
-  input.solids.push_back(solid);
-  choose_ball(input);
-  if (const auto checked = check_envelope(input); !checked) return editor.notify(checked.error()), false;
-  auto added = add_object(document, free_name(document, editor.language(translatable("Solids"))),
-                          SolidsSource{std::move(input), {}}, place, solids_display());
+  const auto added = added_solids(editor, solid, place);
   if (!added) return editor.notify(added.error()), false;
   if (!editor.commit(added->document, shape.step)) return false;
   select_solids(editor, added->id, std::array{std::uint32_t(0)});
@@ -151,12 +157,7 @@ bool add_new_solid(Editor& editor, const NewSolid& shape, std::vector<OperationN
 Result<Document> with_new_solid(const Editor& editor, const Solid& solid) {
   const Document& document = editor.history.current();
   if (const Object* object = active_solids(editor)) return add_solid(document, object->id, solid);
-  EnvelopeInput input;
-  input.solids.push_back(solid);
-  choose_ball(input);
-  if (const auto checked = check_envelope(input); !checked) return checked.error();
-  auto added = add_object(document, free_name(document, editor.language(translatable("Solids"))),
-                          SolidsSource{std::move(input), {}}, {}, solids_display());
+  auto added = added_solids(editor, solid, {});
   if (!added) return added.error();
   return std::move(added).value().document;
 }

@@ -8,6 +8,7 @@
 
 #include "core/envelope/solid.hpp"
 #include "ui/editor/editor.hpp"
+#include "ui/view/tool.hpp"
 
 namespace hariko {
 
@@ -34,7 +35,16 @@ void select_solids(Editor& editor, ObjectId object, std::span<const std::uint32_
 /// when it is refused.
 bool add_new_solid(Editor& editor, const NewSolid& shape, std::vector<OperationNumber> numbers,
                    std::function<Solid(Solid)> put, const Similarity& place);
-/// What that makes of a document, without a step.
+/// Document with that solid added, without a step.
 Result<Document> with_new_solid(const Editor& editor, const Solid& solid);
+
+/// Modal: a drag from the surface of the active solids pulls it to the pointer, a drag from a place that was
+/// pulled before moves that place; the wheel changes how far about it the surface follows, Del removes it.
+/// One step for each.
+std::unique_ptr<Tool> make_pull_tool();
+
+/// Modal: a click puts the solid on another solid of the active object, or on the working plane; a drag gives
+/// its radius. Ctrl snaps both. One step.
+std::unique_ptr<Tool> make_place_solid_tool(NewSolid shape);
 
 }  // namespace hariko

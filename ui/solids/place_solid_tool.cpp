@@ -1,4 +1,4 @@
-#include "ui/solids/place_solid_tool.hpp"
+#include "ui/solids/new_solids.hpp"
 
 #include <Eigen/Geometry>
 #include <cmath>
@@ -7,24 +7,23 @@
 #include "core/modeling/objects/place_solid.hpp"
 #include "ui/editor/new_object.hpp"
 #include "ui/view/overlay_drawing.hpp"
-#include "ui/view/snap_catcher.hpp"
+#include "ui/view/snapping.hpp"
 
 namespace hariko {
 
 namespace {
 
-constexpr double least_ground_slope = 0.02;  ///< of rays against the plane on which the solid stands
+constexpr double least_ground_slope = 0.02;  ///< slope of rays against the plane on which the solid stands
 constexpr int circle_sides = 48;
 
-/// Where a solid is to stand, in the document's space.
+/// Stand of a new solid, in the document's space.
 struct Stand {
   Vector3 point, up;
 };
 
-class PlaceSolidTool final : public Tool {
+class PlaceSolidTool final : public ModalTool {
  public:
   explicit PlaceSolidTool(NewSolid shape) : shape_(std::move(shape)) {}
-  bool modal() const override { return true; }
 
   void begin(ToolContext& context, const PointerEvent& press) override {
     usual_radius_ = new_object_radius(context.editor);
@@ -48,8 +47,6 @@ class PlaceSolidTool final : public Tool {
     }
     return ToolState::stay;
   }
-
-  void cancel(ToolContext& context) override { context.editor.cancel_preview(); }
 
   void draw(const ToolContext& context, const ToolOverlay& overlay) const override {
     const Language& tr = context.editor.language;
@@ -150,22 +147,17 @@ class PlaceSolidTool final : public Tool {
 
   void draw_circle(const Projector& projector, const ToolOverlay& overlay) const {
     const Vector3 side = stand_->up.unitOrthogonal(), across = stand_->up.cross(side);
-    std::optional<Vector2> last;
+    std::vector<Vector3> circle;
     for (int k = 0; k <= circle_sides; ++k) {
       const double a = 2 * std::numbers::pi * k / circle_sides;
-      const auto at =
-          projector.project(stand_->point + radius() * (std::cos(a) * side + std::sin(a) * across));
-      if (at && last)
-        overlay.list.AddLine(on_screen(overlay, *last), on_screen(overlay, at->head<2>()), palette().hot,
-                             overlay.metrics.px(1.5F));
-      last = at ? std::optional<Vector2>(at->head<2>()) : std::nullopt;
+      circle.push_back(stand_->point + radius() * (std::cos(a) * side + std::sin(a) * across));
     }
+    draw_polyline(overlay, projector, circle, palette().hot, 1.5F);
     if (const auto at = projector.project(stand_->point))
       overlay.list.AddCircleFilled(on_screen(overlay, at->head<2>()), overlay.metrics.px(3), palette().hot);
   }
 
   NewSolid shape_;
-  Vector2 pointer_ = Vector2::Zero();
   std::optional<Stand> stand_;
   WorkingPlane plane_;  ///< as it was when the tool began
   SnapCatcher catcher_;

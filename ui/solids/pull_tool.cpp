@@ -1,35 +1,49 @@
-#include "ui/solids/pull_tool.hpp"
 
 #include <GLFW/glfw3.h>
+#include <imgui.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include "core/document/edits/edit_solids.hpp"
 #include "core/envelope/solid_shape.hpp"
-#include "ui/base/nearest_handle.hpp"
 #include "ui/solids/new_solids.hpp"
 #include "ui/view/overlay_drawing.hpp"
-#include "ui/view/pointing_tool.hpp"
+#include "ui/view/tool.hpp"
 
 namespace hariko {
 
 namespace {
 
 constexpr double handle_radius = 10;  ///< design pixels
-constexpr double usual_radius = 0.3;  ///< of a new pull, relative to its solid's diagonal
+constexpr double usual_radius = 0.3;  ///< radius of a new pull, relative to its solid's diagonal
 constexpr double wheel_factor = 1.1;
 /// Limits of the radius, relative to the solid's diagonal.
 constexpr double least_radius = 0.01, most_radius = 4;
+
+/// Number of the handle nearest to a pixel, if it is within the radius (design pixels). Handles have their
+/// place as `at`.
+template <class Handles>
+std::optional<std::size_t> nearest_handle(const Handles& handles, const Vector2& pixel, double radius) {
+  std::optional<std::size_t> best;
+  double least = radius * double(ImGui::GetIO().DisplayFramebufferScale.x);
+  for (std::size_t i = 0; i < handles.size(); ++i)
+    if (const double distance = (handles[i].at - pixel).norm(); distance <= least) {
+      least = distance;
+      best = i;
+    }
+  return best;
+}
 
 /// Pull of a solid, which may have to be made.
 struct GrabbedPull {
   std::uint32_t solid = 0;
   std::size_t index = 0;  ///< among the solid's pulls; their number for a new one
   double radius = 1;
-  double diagonal = 1;             ///< of the solid
-  Vector3 from = Vector3::Zero();  ///< where it was grabbed, in the document's space
+  double diagonal = 1;             ///< the solid's
+  Vector3 from = Vector3::Zero();  ///< point that was grabbed, in the document's space
   bool fresh = false;
 };
 
@@ -105,8 +119,6 @@ class PullTool final : public PointingTool {
     return context.editor.commit(result, translatable("Remove pull")) ? ToolState::commit : ToolState::cancel;
   }
 
-  void cancel(ToolContext& context) override { context.editor.cancel_preview(); }
-
   /// Goes on with the next place.
   std::unique_ptr<Tool> successor() override { return make_pull_tool(); }
 
@@ -128,7 +140,7 @@ class PullTool final : public PointingTool {
   std::string hint(const Language& tr) const override {
     return std::string(tr("Pull surface")) + "   |   " +
            tr(grabbed_ ? translatable("The wheel changes how far about it the surface follows   Esc cancels")
-                       : translatable("Drag the surface, or a place that was pulled   Delete removes it   "
+                       : translatable("Drag the surface, or a place that was pulled   Del removes it   "
                                       "Esc ends"));
   }
 

@@ -3,21 +3,17 @@
 
 #include <algorithm>
 #include <array>
-#include <memory>
 #include <utility>
 
 #include "core/document/edits/edit_solids.hpp"
 #include "core/envelope/ball/tightness.hpp"
-#include "core/envelope/bridge.hpp"
+#include "core/envelope/solid.hpp"
 #include "core/modeling/edit_result.hpp"
 #include "core/modeling/objects/primitives.hpp"
 #include "ui/editor/command_host.hpp"
+#include "ui/editor/last_operation.hpp"
 #include "ui/editor/new_object.hpp"
-#include "ui/editor/operation_arguments.hpp"
-#include "ui/editor/placement.hpp"
 #include "ui/solids/new_solids.hpp"
-#include "ui/solids/place_solid_tool.hpp"
-#include "ui/solids/pull_tool.hpp"
 #include "ui/view/viewport.hpp"
 #include "ui/widgets/application_services.hpp"
 
@@ -110,9 +106,8 @@ void duplicate_solids(Editor& editor) {
   std::vector<std::uint32_t> copies;
   const auto result = array_solids(editor.history.current(), object, ids, 1,
                                    {width_of(*editor.active_object(), ids), 0, 0}, copies);
-  if (editor.commit(result, copies.size() == 1
-                                ? translatable("Duplicate solid")
-                                : fill("Duplicate {0} solids", {std::to_string(copies.size())})))
+  if (editor.commit(result, Phrase::counted(copies.size(), translatable("Duplicate solid"),
+                                            translatable("Duplicate {0} solids"))))
     select_solids(editor, object, copies);
 }
 
@@ -134,21 +129,21 @@ void join(Editor& editor) {
   bool joined = false;
   const auto result = change_envelope(editor.history.current(), editor.selection.active,
                                       [&](EnvelopeInput& input) { joined = join_parts(input); });
-  if (result.ok() && !joined)
-    return editor.notify(Notice::Kind::info, editor.language("The surface is one part already."));
+  if (result.ok() && !joined) return editor.inform("The surface is one part already.");
   editor.commit(result, translatable("Join parts"));
 }
 
-Reason needs_solids(const Editor& editor, const WhyNot& needs) {
-  if (auto reason = needs()) return reason;
-  if (editor.active_object()->solids()) return {};
-  return translatable("The active object is not made of solids.");
+WhyNot needs_solids(const Editor& editor) {
+  return only_if(
+      needs_object(editor), [&editor] { return editor.active_object()->solids() != nullptr; },
+      translatable("The active object is not made of solids."));
 }
 
-Reason needs_chosen_solids(const Editor& editor, const WhyNot& needs) {
-  if (auto reason = needs_solids(editor, needs)) return reason;
-  if (editor.mode != ElementMode::object && !editor.selection.of(editor.selection.active).empty()) return {};
-  return translatable("No solid is selected. Click one.");
+WhyNot needs_chosen_solids(const Editor& editor) {
+  return only_if(
+      needs_solids(editor),
+      [&editor] { return editor.mode != ElementMode::object && !editor.selection.of_active().empty(); },
+      translatable("No solid is selected. Click one."));
 }
 
 MakeOperation row_of(ObjectId object, std::vector<std::uint32_t> ids) {
@@ -169,8 +164,7 @@ std::vector<WrittenCommand> written_row_of_solids(std::span<const OperationNumbe
 }
 
 Result<BegunOperation> begin_row(const Editor& editor) {
-  if (const Reason reason = needs_chosen_solids(editor, needs_object(editor)))
-    return make_error(e_wrong_selection, *reason);
+  if (const Reason reason = needs_chosen_solids(editor)()) return make_error(e_wrong_selection, *reason);
   return BegunOperation{row_of(editor.selection.active, selected_solids(editor)), {}, written_row_of_solids};
 }
 
@@ -187,14 +181,11 @@ void make_row(Editor& editor, std::vector<OperationNumber> numbers) {
 
 /// Numbers of a row to begin with.
 std::vector<OperationNumber> row_numbers(double width) {
-  const auto distance = [](const char* id, const char* label, double value) {
-    return OperationNumber{id, label, value, -max_primitive_length, max_primitive_length, false};
-  };
   constexpr double usual_copies = 3, most_copies = max_solids - 1;
   return {{"copies", translatable("Copies"), usual_copies, 1, most_copies, true},
-          distance("row_x", "X", width),
-          distance("row_y", "Y", 0),
-          distance("row_z", "Z", 0)};
+          distance_number("row_x", "X", width),
+          distance_number("row_y", "Y", 0),
+          distance_number("row_z", "Z", 0)};
 }
 
 ScriptUse row_in_scripts(Editor& editor) {
@@ -203,25 +194,28 @@ ScriptUse row_in_scripts(Editor& editor) {
           .run = [&editor, usual](const Arguments& given) { make_row(editor, with_values(usual, given)); }};
 }
 
-Reason needs_two_solids(const Editor& editor, const WhyNot& needs) {
-  if (auto reason = needs_solids(editor, needs)) return reason;
-  const std::vector<std::uint32_t> ids = selected_solids(editor);
-  const auto is_there = [&](std::uint32_t id) { return find_solid(*editor.active_object(), id) != nullptr; };
-  if (editor.mode != ElementMode::object && ids.size() == 2 && std::ranges::all_of(ids, is_there)) return {};
-  return translatable("A bridge needs two selected solids.");
+WhyNot needs_two_solids(const Editor& editor) {
+  const auto two = [&editor] {
+    const std::vector<std::uint32_t> ids = selected_solids(editor);
+    return editor.mode != ElementMode::object && ids.size() == 2 &&
+           std::ranges::all_of(ids, [&](auto id) { return find_solid(*editor.active_object(), id); });
+  };
+  return only_if(needs_solids(editor), two, translatable("A bridge needs two selected solids."));
 }
 
-Reason needs_ball(const Editor& editor, const WhyNot& needs) {
-  if (auto reason = needs_solids(editor, needs)) return reason;
-  if (editor.active_object()->solids()->input->settings.method == EnvelopeMethod::ball) return {};
-  return translatable("The surface is a network of curves.");
+WhyNot needs_ball(const Editor& editor) {
+  return only_if(
+      needs_solids(editor),
+      [&editor] { return editor.active_object()->solids()->input->settings.method == EnvelopeMethod::ball; },
+      translatable("The surface is a network of curves."));
 }
 
-Reason needs_pulls(const Editor& editor, const WhyNot& needs) {
-  if (auto reason = needs_ball(editor, needs)) return reason;
-  const auto has_pulls = [](const Solid& solid) { return !solid.pulls.empty(); };
-  if (std::ranges::any_of(editor.active_object()->solids()->input->solids, has_pulls)) return {};
-  return translatable("The surface is not pulled anywhere.");
+WhyNot needs_pulls(const Editor& editor) {
+  const auto pulled = [&editor] {
+    return std::ranges::any_of(editor.active_object()->solids()->input->solids,
+                               [](const Solid& solid) { return !solid.pulls.empty(); });
+  };
+  return only_if(needs_ball(editor), pulled, translatable("The surface is not pulled anywhere."));
 }
 
 /// Removes the pulls of the selected solids, or of all where none is selected.
@@ -236,48 +230,32 @@ void remove_pulls(Editor& editor) {
 
 void add_pull_commands(CommandHost& host) {
   Editor& editor = host.editor;
-  const WhyNot object = needs_object(editor);
-  host.table.add({.id = "solid.pull",
-                  .menu = "Solids",
-                  .label = "Pull surface",
-                  .help = "Drag the surface outwards or inwards; the place stays with its solid.",
-                  .needs_window = true,
-                  .run = [&host] { host.viewport.start_modal(make_pull_tool()); },
-                  .why_not = [&editor, object] { return needs_ball(editor, object); }});
-  host.table.add({.id = "solid.remove_pulls",
-                  .menu = "Solids",
-                  .label = "Remove pulls",
-                  .help = "The surface of the selected solids, or of all, is no longer pulled by hand.",
-                  .changes_document = true,
-                  .run = [&editor] { remove_pulls(editor); },
-                  .why_not = [&editor, object] { return needs_pulls(editor, object); }});
+  MenuRows rows(host.table, "Solids");
+  rows.add(
+      "solid.pull", "Pull surface", "Drag the surface outwards or inwards; the place stays with its solid.",
+      [&host] { host.viewport.start_modal(make_pull_tool()); }, needs_ball(editor), {.needs_window = true});
+  rows.add_edit(
+      "solid.remove_pulls", "Remove pulls",
+      "The surface of the selected solids, or of all, is no longer pulled by hand.",
+      [&editor] { remove_pulls(editor); }, needs_pulls(editor));
 }
 
 void add_new_solids(CommandHost& host) {
   Editor& editor = host.editor;
   for (const NewSolid& shape : new_solids())
-    host.table.add({.id = std::string("solid.") + shape.name,
-                    .menu = "Solids",
-                    .label = shape.label,
-                    .help = shape.help,
-                    .changes_document = true,
-                    .run = [&editor, shape] { add(editor, shape); },
-                    .script = solid_in_scripts(editor, shape)});
-  bool first = true;
-  for (const NewSolid& shape : new_solids()) {
-    host.table.add(
-        {.id = std::string("solid.place_") + shape.name,
-         .menu = submenu("Solids", translatable("Place")),
-         .label = shape.label,
-         .help = "Click where it is to stand, on the working plane or on another solid; drag for its size.",
-         .separator_before = first,
-         .needs_window = true,
-         .run = [&host, shape] {
-           begin_document(host.editor);
-           host.viewport.start_modal(make_place_solid_tool(shape));
-         }});
-    first = false;
-  }
+    MenuRows(host.table, "Solids")
+        .add_edit(std::string("solid.") + shape.name, shape.label, shape.help,
+                  [&editor, shape] { add(editor, shape); }, {}, {.script = solid_in_scripts(editor, shape)});
+  MenuRows places(host.table, submenu("Solids", translatable("Place")));
+  places.next_group();
+  for (const NewSolid& shape : new_solids())
+    places.add(std::string("solid.place_") + shape.name, shape.label,
+               "Click where it is to stand, on the working plane or on another solid; drag for its size.",
+               [&host, shape] {
+                 begin_document(host.editor);
+                 host.viewport.start_modal(make_place_solid_tool(shape));
+               },
+               {}, {.needs_window = true});
 }
 
 }  // namespace
@@ -285,55 +263,32 @@ void add_new_solids(CommandHost& host) {
 void add_solid_commands(CommandHost& host) {
   Editor& editor = host.editor;
   add_new_solids(host);
-  const WhyNot object = needs_object(editor);
-  const auto chosen = [&editor, object] { return needs_chosen_solids(editor, object); };
-  host.table.add({.id = "solid.duplicate",
-                  .menu = "Solids",
-                  .label = "Duplicate solid",
-                  .help = "Copy the selected solids to their right.",
-                  .changes_document = true,
-                  .separator_before = true,
-                  .run = [&editor] { duplicate_solids(editor); },
-                  .why_not = chosen});
-  host.table.add(
-      {.id = "solid.row",
-       .menu = "Solids",
-       .label = "Row of solids",
-       .help =
-           "Copy the selected solids several times, each as far from the last; number and distance can be "
-           "changed right afterwards.",
-       .changes_document = true,
-       .run =
-           [&editor] {
-             make_row(editor, row_numbers(width_of(*editor.active_object(), selected_solids(editor))));
-           },
-       .why_not = chosen,
-       .script = row_in_scripts(editor)});
-  host.table.add({.id = "solid.bridge",
-                  .menu = "Solids",
-                  .label = "Bridge solids",
-                  .help = "Put a bar between the two selected solids.",
-                  .changes_document = true,
-                  .run = [&editor] { bridge(editor); },
-                  .why_not = [&editor, object] { return needs_two_solids(editor, object); }});
-  host.table.add({.id = "solid.join_parts",
-                  .menu = "Solids",
-                  .label = "Join parts",
-                  .help = "Enlarge the ball to the smallest that makes one part of the surface.",
-                  .changes_document = true,
-                  .run = [&editor] { join(editor); },
-                  .why_not = [&editor, object] { return needs_ball(editor, object); }});
+  const WhyNot chosen = needs_chosen_solids(editor);
+  MenuRows rows(host.table, "Solids");
+  rows.add_edit("solid.duplicate", "Duplicate solid", "Copy the selected solids to their right.",
+                [&editor] { duplicate_solids(editor); }, chosen, {.separator_before = true});
+  rows.add_edit(
+      "solid.row", "Row of solids",
+      "Copy the selected solids several times, each as far from the last; number and distance can be "
+      "changed right afterwards.",
+      [&editor] {
+        make_row(editor, row_numbers(width_of(*editor.active_object(), selected_solids(editor))));
+      },
+      chosen, {.script = row_in_scripts(editor)});
+  rows.add_edit(
+      "solid.bridge", "Bridge solids", "Put a bar between the two selected solids.",
+      [&editor] { bridge(editor); }, needs_two_solids(editor));
+  rows.add_edit(
+      "solid.join_parts", "Join parts",
+      "Enlarge the ball to the smallest that makes one part of the surface.", [&editor] { join(editor); },
+      needs_ball(editor));
   add_pull_commands(host);
-  host.table.add(
-      {.id = "solid.to_polyhedron",
-       .menu = "Solids",
-       .label = "Convert to polyhedron",
-       .help = "The corners of the surface become a polyhedron whose vertices and normals can be edited; the "
-               "solids are kept, hidden.",
-       .changes_document = true,
-       .separator_before = true,
-       .run = [&host, &editor] { host.application.convert(editor.selection.active); },
-       .why_not = [&editor, object] { return needs_solids(editor, object); }});
+  rows.add_edit(
+      "solid.to_polyhedron", "Convert to polyhedron",
+      "The corners of the surface become a polyhedron whose vertices and normals can be edited; the solids "
+      "are kept, hidden.",
+      [&host, &editor] { host.application.convert(editor.selection.active); }, needs_solids(editor),
+      {.separator_before = true});
 }
 
 }  // namespace hariko

@@ -1,25 +1,22 @@
 #include "ui/view/axis_gizmo.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace hariko {
 
 namespace {
 
-constexpr float reach = 0.76F;          ///< of the balls' centres from the middle, in radii
+constexpr float reach = 0.76F;          ///< distance of the balls' centres from the middle, in radii
 constexpr double facing_depth = 0.999;  ///< from which on a ball counts as facing the viewer
 
 /// The axis colours of the look, mixed with the background as far as a ball is away.
-ImU32 axis_colour(int axis, double depth, float alpha = 1) {
-  constexpr std::array<std::array<float, 3>, 3> colours{
-      {{0.898F, 0.282F, 0.302F}, {0.275F, 0.655F, 0.345F}, {0.243F, 0.510F, 0.969F}}};
-  const ImVec4 ground = ImGui::ColorConvertU32ToFloat4(palette().window);
+ImU32 colour_at_depth(int axis, double depth, float alpha = 1) {
+  const ImVec4 ground = ImGui::ColorConvertU32ToFloat4(palette().window),
+               own = ImGui::ColorConvertU32ToFloat4(axis_colour(axis));
   const float share = 0.70F + 0.30F * static_cast<float>(depth);
-  const auto& c = colours[static_cast<std::size_t>(axis)];
-  return ImGui::ColorConvertFloat4ToU32({ground.x + share * (c[0] - ground.x),
-                                         ground.y + share * (c[1] - ground.y),
-                                         ground.z + share * (c[2] - ground.z), alpha});
+  return ImGui::ColorConvertFloat4ToU32({ground.x + share * (own.x - ground.x),
+                                         ground.y + share * (own.y - ground.y),
+                                         ground.z + share * (own.z - ground.z), alpha});
 }
 
 double squared_distance(ImVec2 a, ImVec2 b) {
@@ -76,13 +73,13 @@ void AxisGizmo::draw(ImDrawList& list, std::optional<ImVec2> pointer, bool lit) 
   for (const Ball& ball : balls_) {
     const ImVec2 centre = centre_of(ball);
     const float size = ball_radius() * (0.94F + 0.06F * static_cast<float>(ball.depth));
-    const ImU32 colour = axis_colour(ball.axis, ball.depth);
+    const ImU32 colour = colour_at_depth(ball.axis, ball.depth);
     const bool under = hovered == &ball;
     if (ball.positive) {
       list.AddLine(middle_, centre, colour, 0.045F * radius_);
       list.AddCircleFilled(centre, size, colour, 28);
     } else {
-      list.AddCircleFilled(centre, size, axis_colour(ball.axis, ball.depth, 0.28F), 28);
+      list.AddCircleFilled(centre, size, colour_at_depth(ball.axis, ball.depth, 0.28F), 28);
       list.AddCircle(centre, size - 0.5F, colour, 28, 0.03F * radius_);
     }
     if (under) list.AddCircle(centre, size, IM_COL32_WHITE, 28, 0.04F * radius_);

@@ -6,7 +6,6 @@
 
 #include <array>
 #include <optional>
-#include <string>
 
 #include "render/camera.hpp"
 #include "ui/base/theme.hpp"

@@ -2,7 +2,6 @@
 
 #include <GLFW/glfw3.h>
 
-#include <algorithm>
 #include <cmath>
 
 namespace hariko {
@@ -65,7 +64,7 @@ int AxisLock::component_axis(std::size_t i) const {
 Vector3 drag_vector(const Projector& projector, const AxisLock& lock, const Matrix3& frame,
                     const Vector3& anchor, const Vector2& from, const Vector2& to) {
   if (lock.kind == AxisLock::Kind::axis) {
-    // Of the drag along a coordinate axis nothing is left in the others, whatever the rounding.
+    // Drags along a coordinate axis leave nothing in the others, whatever the rounding.
     return axis_drag(projector, frame.col(lock.axis), anchor, from, to);
   }
   if (lock.kind == AxisLock::Kind::plane) {

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "core/geometry/polygon.hpp"
+#include "core/skinning/edit/stroke.hpp"
 #include "ui/view/overlay_drawing.hpp"
 
 namespace hariko {
@@ -17,12 +18,6 @@ constexpr double arrow_begin = 20, arrow_end = 92, arrow_head = 13, scale_box = 
 constexpr double square_begin = 24, square_end = 38;
 /// An axis whose 100 pixels look shorter than this points at the viewer.
 constexpr double least_length = 22;
-
-double distance_to_segment(const Vector2& p, const Vector2& a, const Vector2& b) {
-  const Vector2 d = b - a;
-  const double t = d.squaredNorm() > 0 ? std::clamp((p - a).dot(d) / d.squaredNorm(), 0.0, 1.0) : 0.0;
-  return (a + t * d - p).norm();
-}
 
 std::string name_of(const GizmoHandle& handle) {
   const char* kind = handle.kind == TransformKind::move     ? "move."
@@ -129,10 +124,10 @@ void Gizmo::leave_out_covered() {
   const double reach = hit_radius * scale_;
   for (Shape& shape : shapes_) {
     const bool arc = shape.handle.kind == TransformKind::rotate;
-    const bool free = arc ? go_to_freest(shape, left, reach)
-                          : std::none_of(left.begin(), left.end(), [&](const Shape& other) {
-                              return other.reaches(shape.mark, reach) || shape.reaches(other.mark, reach);
-                            });
+    const bool free =
+        arc ? go_to_freest(shape, left, reach) : std::ranges::none_of(left, [&](const Shape& other) {
+          return other.reaches(shape.mark, reach) || shape.reaches(other.mark, reach);
+        });
     if (free) left.push_back(std::move(shape));
   }
   shapes_ = std::move(left);
@@ -161,7 +156,7 @@ double Gizmo::Shape::distance(const Vector2& pixel) const {
   if (closed && inside_polygon(line, pixel)) return 0;
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i + 1 < line.size(); ++i)
-    least = std::min(least, distance_to_segment(pixel, line[i], line[i + 1]));
+    least = std::min(least, foot_on_segment(line[i], line[i + 1], pixel).distance);
   return least;
 }
 
@@ -175,10 +170,7 @@ void Gizmo::place_plane(const Projector& projector) {
   for (int k = 0; k < parts; ++k) {
     const double angle = 2 * std::numbers::pi * k / parts;
     const auto p = projector.project(*pivot_ + std::cos(angle) * first + std::sin(angle) * second);
-    if (!p) {
-      plane_.clear();
-      return;
-    }
+    if (!p) return plane_.clear();
     plane_.push_back(p->head<2>());
   }
   for (const Vector3& to : {Vector3(*pivot_), Vector3(*pivot_ + first), Vector3(*pivot_ + second)})
@@ -203,7 +195,7 @@ std::optional<GizmoHandle> Gizmo::nearest(const Vector2& pixel, bool arcs) const
       best = shape.handle;
     }
     for (std::size_t i = 0; i + 1 < shape.line.size(); ++i) {
-      const double distance = distance_to_segment(pixel, shape.line[i], shape.line[i + 1]);
+      const double distance = foot_on_segment(shape.line[i], shape.line[i + 1], pixel).distance;
       if (distance >= least) continue;
       least = distance;
       best = shape.handle;

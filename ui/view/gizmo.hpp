@@ -58,7 +58,7 @@ class Gizmo final : public ViewLayer {
   /// Names an arc where most room is round it; false where others cover more than half of it.
   static bool go_to_freest(Shape& arc, const std::vector<Shape>& others, double reach);
 
-  // What the pivot was made for.
+  // State that the pivot was made for.
   Document document_;
   Selection selection_;
   ElementMode mode_ = ElementMode::vertex;
@@ -68,8 +68,8 @@ class Gizmo final : public ViewLayer {
 
   std::optional<Vector3> pivot_;
   Matrix3 object_frame_ = Matrix3::Identity();
-  std::optional<std::array<Vector3, 2>> tangents_;  ///< of the vertex of a local edit
-  bool in_planes_ = false;                          ///< of sections: handles for their plane only
+  std::optional<std::array<Vector3, 2>> tangents_;  ///< tangents at the vertex of a local edit
+  bool in_planes_ = false;                          ///< sections: handles for their plane only
   std::vector<Vector2> plane_;                      ///< outline of the disc that they span
   std::vector<Vector2> plane_axes_;                 ///< the centre and the tips of both
   double scale_ = 1;

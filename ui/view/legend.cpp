@@ -1,16 +1,16 @@
 #include "ui/view/legend.hpp"
-#include "ui/widgets/tips.hpp"
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <optional>
+#include <limits>
 
-#include "render/region_picking.hpp"
-#include "render/tension_colors.hpp"
+#include "render/element_colors.hpp"
 #include "ui/base/text_lines.hpp"
 #include "ui/editor/legend_source.hpp"
 #include "ui/widgets/enum_labels.hpp"
+#include "ui/widgets/items.hpp"
+#include "ui/widgets/number_slider.hpp"
+#include "ui/widgets/tips.hpp"
 
 namespace hariko {
 
@@ -29,14 +29,12 @@ void range_end(PanelContext& context, const LegendSource& source, bool high) {
   // Frames since the click that asked for the field, plus one; the keyboard comes a frame or two later.
   constexpr int patience = 8;
   if (const int frames = storage.GetInt(editing); frames != 0) {
-    ImGui::SetNextItemWidth(width);
     double typed = value;
     const bool waiting = frames < patience;
     if (waiting) focus_next_field();
-    if (ImGui::InputDouble(high ? "##high" : "##low", &typed, 0, 0, "%.6g",
-                           ImGuiInputTextFlags_AutoSelectAll))
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    if (number_input(context.marks, mark, width, {-infinity, infinity, "%.6g"}, typed))
       context.state.typed = typed;
-    context.marks.item(mark);
     const bool active = ImGui::IsItemActive();
     if (waiting) storage.SetInt(editing, active ? patience : frames + 1);
     if (waiting && !active) context.state.field_opening = true;
@@ -54,12 +52,11 @@ void range_end(PanelContext& context, const LegendSource& source, bool high) {
   }
   const std::string label = format_number(value, 4);
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  if (ImGui::InvisibleButton(high ? "high" : "low", {width, ImGui::GetTextLineHeight()})) {
+  if (area_button(context.marks, mark, {width, ImGui::GetTextLineHeight()})) {
     storage.SetInt(editing, 1);
     context.state.typed = value;
     context.state.field_opening = true;
   }
-  context.marks.item(mark);
   const bool hovered = ImGui::IsItemHovered();
   if (hovered) show_tip(context.tr("Click to type; right click resets"));
   ImGui::GetWindowDrawList()->AddText(at, hovered ? palette().secondary : palette().text, label.c_str());
@@ -102,20 +99,12 @@ void draw_bar(PanelContext& context, const LegendSource& source) {
 }
 
 void range_menu(PanelContext& context, const LegendSource& source) {
-  const MapRange range = range_settings(context.editor, source);
-  const std::string label = std::string(context.tr(enum_choice(range.mode).label)) + "##mode";
-  if (ImGui::SmallButton(label.c_str())) ImGui::OpenPopup("range_modes");
-  context.marks.item("legend.mode");
-  if (!ImGui::BeginPopup("range_modes")) return;
-  for (const RangeMode mode : enum_values<RangeMode>()) {
-    if (ImGui::MenuItem(context.tr(enum_choice(mode).label), nullptr, mode == range.mode)) {
-      MapRange changed = range;
-      changed.mode = mode;
-      set_range(context.editor, source, changed);
-    }
-    context.marks.item("legend.mode." + std::to_string(static_cast<int>(mode)));
-  }
-  ImGui::EndPopup();
+  MapRange range = range_settings(context.editor, source);
+  const auto chosen =
+      choice_menu(context, "legend.mode", enum_choices<RangeMode>, static_cast<int>(range.mode));
+  if (!chosen) return;
+  range.mode = static_cast<RangeMode>(*chosen);
+  set_range(context.editor, source, range);
 }
 
 /// The parts below the limit and below the floor of the map, with their colours.
@@ -130,7 +119,7 @@ void limit_rows(PanelContext& context, const LegendSource& source) {
     ImGui::GetWindowDrawList()->AddRectFilled(
         {at.x, at.y + m.px(3)}, {at.x + m.px(bar_width), at.y + side - m.px(3)}, to_imgui(color));
     ImGui::SameLine(0, 0);
-    ImGui::TextUnformatted(text.c_str());
+    plain_text(text);
     context.marks.item(mark);
   };
   const std::string unit = unit_of(source.map, to_string(context.editor.document().unit));
@@ -146,9 +135,8 @@ void missing_section(PanelContext& context, const MissingMap& missing) {
   const std::string text = context.tr.text_of(*missing.reason),
                     remedy = context.tr.remedy_of(*missing.reason);
   const float width = context.metrics.px(200);
-  const TextColour colour(palette().warning);
-  ImGui::TextUnformatted(
-      in_lines((missing.object.empty() ? text : missing.object + ": " + text) + " " + remedy, width).c_str());
+  const std::string whole = (missing.object.empty() ? text : missing.object + ": " + text) + " " + remedy;
+  coloured_text(palette().warning, in_lines(whole, width).c_str());
   context.marks.item("legend.missing");
 }
 
@@ -156,7 +144,7 @@ void map_section(PanelContext& context, const LegendSource& source) {
   std::string title = context.tr(std::string(title_of(source.map)));
   const std::string unit = unit_of(source.map, to_string(context.editor.document().unit));
   if (!unit.empty()) title += "  " + unit;
-  ImGui::TextUnformatted(title.c_str());
+  plain_text(title);
   range_end(context, source, true);
   draw_bar(context, source);
   range_end(context, source, false);
@@ -171,10 +159,7 @@ void map_section(PanelContext& context, const LegendSource& source) {
 }
 
 void marks_section(PanelContext& context, const EdgeMarks* marks) {
-  if (!marks) {
-    ImGui::TextDisabled("%s", context.tr("Measuring the edges\u2026"));
-    return;
-  }
+  if (!marks) return dim_text(context.tr("Measuring the edges\u2026"));
   const Metrics& m = context.metrics;
   static constexpr std::array names{"G0", "G1", "G2"};
   static constexpr std::array meanings{translatable("kink"), translatable("curvature jumps"),
@@ -191,24 +176,23 @@ void marks_section(PanelContext& context, const EdgeMarks* marks) {
     for (float x = 0; x < length; x += step)
       draw.AddLine({at.x + x, y}, {at.x + std::min(x + dash, length), y}, colour, m.px(widths[k]));
     ImGui::SameLine(0, 0);
-    ImGui::Text("%s  %zu", names[k], marks->classes[k].curves);
+    plain_text(std::string(names[k]) + "  " + std::to_string(marks->classes[k].curves));
     ImGui::SameLine();
-    ImGui::TextDisabled("%s", context.tr(meanings[k]));
+    dim_text(context.tr(meanings[k]));
   }
   const ContinuityTolerance& tolerance = context.editor.view.tolerance;
-  ImGui::TextDisabled("\u2264 %s\u00b0, %s %%", format_number(tolerance.angle, 3).c_str(),
-                      format_number(100 * tolerance.curvature, 3).c_str());
+  dim_text("\u2264 " + format_number(tolerance.angle, 3) + "\u00b0, " +
+           format_number(100 * tolerance.curvature, 3) + " %");
 }
 
 void combs_section(PanelContext& context, const CombLines& combs) {
-  const std::string unit = "1/" + std::string(to_string(context.editor.document().unit));
-  ImGui::Text("%s  %s %s", context.tr("Longest tooth"), format_number(combs.greatest, 3).c_str(),
-              unit.c_str());
+  plain_text(std::string(context.tr("Longest tooth")) + "  " + format_number(combs.greatest, 3) + " 1/" +
+             std::string(to_string(context.editor.document().unit)));
 }
 
 void tensions_section(PanelContext& context) {
   const Metrics& m = context.metrics;
-  ImGui::TextUnformatted(context.tr("Tension"));
+  plain_text(context.tr("Tension"));
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float width = m.px(150), height = m.px(10);
   ImGui::Dummy({width, height});
@@ -219,80 +203,10 @@ void tensions_section(PanelContext& context) {
         {at.x + width * static_cast<float>(i) / parts, at.y},
         {at.x + width * static_cast<float>(i + 1) / parts, at.y + height}, to_imgui(tension_color(place)));
   }
-  ImGui::TextDisabled("%s", context.tr("loose"));
+  dim_text(context.tr("loose"));
   const char* tight = context.tr("tight");
   ImGui::SameLine(ImGui::GetStyle().WindowPadding.x + width - ImGui::CalcTextSize(tight).x);
-  ImGui::TextDisabled("%s", tight);
-}
-
-/// Rectangles that labels occupy already.
-class Room {
- public:
-  bool take(const ImVec2& low, const ImVec2& high) {
-    for (const auto& [a, b] : taken_)
-      if (low.x < b.x && high.x > a.x && low.y < b.y && high.y > a.y) return false;
-    taken_.push_back({low, high});
-    return true;
-  }
-  std::size_t size() const { return taken_.size(); }
-
- private:
-  std::vector<std::pair<ImVec2, ImVec2>> taken_;
-};
-
-struct NumberLabel {
-  Vector3 world;
-  double value;
-  double place;  ///< of the tension's colour
-  const char* letter;
-};
-
-std::vector<NumberLabel> labels_of(const Object& object) {
-  const PolyhedronSource& source = *object.polyhedron();
-  const Polyhedron& polyhedron = source.polyhedron;
-  const Shaping& shaping = *source.shaping;
-  constexpr Index few = 40;
-  const bool all = polyhedron.vertex_count() + polyhedron.edge_count() <= few;
-  const Matrix4 to_world = matrix_of(object.transform);
-  const auto world = [&](const Vector3& local) -> Vector3 {
-    return to_world.topLeftCorner<3, 3>() * (source.origin + local) + to_world.topRightCorner<3, 1>();
-  };
-  std::vector<NumberLabel> labels;
-  const auto add_vertex = [&](Index v, double alpha) {
-    labels.push_back({world(polyhedron.position(v)), alpha, alpha_place(alpha), "\u03b1 "});
-  };
-  const auto add_edge = [&](Index e, double beta) {
-    const Index h = polyhedron.topology().half_edge_of_edge(e);
-    labels.push_back({world((polyhedron.position(polyhedron.topology().origin(h)) +
-                             polyhedron.position(polyhedron.topology().target(h))) /
-                            2),
-                      beta, beta_place(beta), "\u03b2 "});
-  };
-  if (all) {
-    for (Index v = 0; v < polyhedron.vertex_count(); ++v)
-      add_vertex(v, shaping.alpha.get_or(polyhedron.vertex_id(v), 0));
-    for (Index e = 0; e < polyhedron.edge_count(); ++e)
-      add_edge(e, shaping.beta.get_or(polyhedron.edge_id(e), 1));
-    return labels;
-  }
-  for (const auto& [id, alpha] : shaping.alpha)
-    if (const Index v = polyhedron.find(id); v != no_index && alpha != 0) add_vertex(v, alpha);
-  for (const auto& [id, beta] : shaping.beta)
-    if (const Index e = polyhedron.find(id); e != no_index && beta != 1) add_edge(e, beta);
-  return labels;
-}
-
-/// What the objects hide that are drawn solid, coarsely: a number need not vanish to the pixel.
-Occlusion hiding_of(const Scene& scene, const Projector& projector) {
-  constexpr int coarse = 4;  // pixels a side, of one that is looked at
-  Scene solid;
-  solid.section = scene.section;
-  solid.pixel_scale = scene.pixel_scale;
-  for (const SceneObject& object : scene.objects)
-    if (object.mesh && object.show_surface) solid.objects.push_back(object);
-  const PixelSize size{std::max(1, projector.size().width / coarse),
-                       std::max(1, projector.size().height / coarse)};
-  return {solid, Projector(projector.camera(), size)};
+  dim_text(tight);
 }
 
 }  // namespace
@@ -341,57 +255,73 @@ void draw_legend(PanelContext& context, const PanelRect& viewport, const SceneBu
   ImGui::PopStyleVar(3);
 }
 
-void draw_tension_numbers(PanelContext& context, const PanelRect& view, const Camera& camera,
-                          const Scene& scene) {
-  const Editor& editor = context.editor;
-  constexpr std::size_t most = 400;
-  const ImVec2 scale = ImGui::GetIO().DisplayFramebufferScale;
-  const Projector projector(camera, {std::max(1, static_cast<int>(view.width() * scale.x)),
-                                     std::max(1, static_cast<int>(view.height() * scale.y))});
-  ImDrawList& draw = *ImGui::GetWindowDrawList();
+// Over the picture of a mesh: where its error is the largest, and what each of four compared pictures shows.
+
+namespace {
+
+void plate(ImDrawList& list, const Metrics& m, ImVec2 at, const std::string& text) {
+  const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+  list.AddRectFilled({at.x - m.px(5), at.y - m.px(2)}, {at.x + size.x + m.px(5), at.y + size.y + m.px(2)},
+                     palette().overlay, m.px(3));
+  list.AddText(at, palette().text, text.c_str());
+}
+
+/// Number of the picture, out of four, that a view shows: they are read line by line.
+std::size_t place_of(const Editor& editor, std::size_t view) {
+  const std::vector<Pane> panes = editor.layout.panes();
+  const auto at =
+      std::ranges::find_if(panes, [&](const Pane& pane) { return std::size_t(pane.view) == view; });
+  return std::size_t(at - panes.begin());
+}
+
+/// A ring round the place, with its value beside it.
+void marker(const PanelContext& context, const Projector& projector, const PanelRect& pane, MeshShown shown,
+            const MeshErrors& errors, const Similarity& transform, const Vector3& origin) {
+  if (!(errors.largest > 0)) return;
+  const auto pixel = projector.project(transform.apply(origin + errors.place));
+  if (!pixel) return;
   const Metrics& m = context.metrics;
-  const bool through = editor.view.x_ray || editor.selecting.through;
-  std::optional<Occlusion> occlusion;
-  Room room;
-  for (const auto& object : editor.document().objects) {
-    if (!object->visible || !object->polyhedron() || !object->display.tensions || !object->display.polyhedron)
-      continue;
-    if (!occlusion) occlusion = hiding_of(scene, projector);
-    struct Seen {
-      NumberLabel label;
-      Vector3 at;
-      bool hidden;
-    };
-    std::vector<Seen> seen;
-    for (const NumberLabel& label : labels_of(*object)) {
-      const auto at = projector.project(label.world);
-      if (!at || (scene.section && scene.section->cuts(label.world))) continue;
-      const bool hidden = !occlusion->visible(label.world);
-      if (!hidden || through) seen.push_back({label, *at, hidden});
-    }
-    // What can be seen has room first, of that the nearest; what only shows through is pale.
-    std::stable_sort(seen.begin(), seen.end(), [](const Seen& a, const Seen& b) {
-      return a.hidden != b.hidden ? b.hidden : a.at.z() < b.at.z();
-    });
-    for (const Seen& one : seen) {
-      if (room.size() >= most) break;
-      const std::string text = one.label.letter + format_number(one.label.value, 3);
-      const ImVec2 size = ImGui::CalcTextSize(text.c_str());
-      const ImVec2 at(view.min.x + static_cast<float>(one.at.x()) / scale.x + m.px(8),
-                      view.min.y + static_cast<float>(one.at.y()) / scale.y - size.y - m.px(4));
-      const ImVec2 low(at.x - m.px(4), at.y - m.px(1)),
-          high(at.x + size.x + m.px(4), at.y + size.y + m.px(1));
-      if (high.x < view.min.x || low.x > view.max.x || high.y < view.min.y || low.y > view.max.y) continue;
-      if (!room.take(low, high)) continue;
-      const float strength = one.hidden ? 0.45F : 1.0F;
-      draw.AddRectFilled(low, high, with_alpha(palette().window, 0.78F * strength), m.px(4));
-      if (one.label.place != 0)
-        draw.AddRectFilled(low, {low.x + m.px(3), high.y},
-                           with_alpha(to_imgui(tension_color(one.label.place)), strength), m.px(2));
-      draw.AddText(at, with_alpha(one.label.place != 0 ? palette().text : palette().dim_text, strength),
-                   text.c_str());
-    }
-  }
+  const ImVec2 scale = ImGui::GetIO().DisplayFramebufferScale;
+  const ImVec2 at(pane.min.x + float(pixel->x()) / scale.x, pane.min.y + float(pixel->y()) / scale.y);
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.AddCircle(at, m.px(9), IM_COL32(0, 0, 0, 200), 0, m.px(4));
+  list.AddCircle(at, m.px(9), palette().hot, 0, m.px(2));
+  plate(list, m, {at.x + m.px(15), at.y - ImGui::GetTextLineHeight() / 2},
+        short_text(shown, errors.largest, context.editor.document().unit));
+  context.marks.rect("meshing.largest", {at.x - 2, at.y - 2}, {at.x + 2, at.y + 2});
+}
+
+}  // namespace
+
+void draw_mesh_overlay(const PanelContext& context, const Camera& camera, PixelSize size,
+                       const PanelRect& pane, std::size_t view) {
+  const Editor& editor = context.editor;
+  const Meshing& meshing = editor.meshing;
+  const auto object = meshed_object(editor.document(), editor.selection.active);
+  const MeshingResult* result = object ? meshing.shown_for(object) : nullptr;
+  if (!result) return;
+  const Projector projector(camera, size);
+  const bool compared = meshing.comparing() && result->compared;
+  const ComparedPicture picture = compared_picture(place_of(editor, view) % ViewLayout::count);
+  const MeshShown shown = compared ? picture.shown : meshing.shown;
+  if (shown == MeshShown::facets) return;
+  const MeshPreview& mesh = compared ? (*result->compared)[picture.mesh] : result->mesh;
+  const MeshErrors& errors = mesh.of(shown);
+  marker(context, projector, pane, shown, errors, object->transform, mesh.mesh->origin());
+  if (!compared) return;
+  const Language& tr = context.tr;
+  const char* made = picture.mesh == 0 ? tr("made by distance") : tr("made by normal angle");
+  const char* what = shown == MeshShown::distance ? tr("distance") : tr("normal angle");
+  const std::string first = fill(tr("{0}: {1} triangles"), {made, std::to_string(mesh.facets)});
+  const std::string second =
+      fill(tr("{0}: mean {1}"), {what, short_text(shown, errors.mean, editor.document().unit)});
+  const Metrics& m = context.metrics;
+  const float line = ImGui::GetTextLineHeight() + m.px(4);
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const float left = pane.min.x + m.px(12);
+  plate(list, m, {left, pane.max.y - m.px(10) - 2 * line}, first);
+  plate(list, m, {left, pane.max.y - m.px(8) - line}, second);
+  context.marks.rect("meshing.picture." + std::to_string(view), pane.min, pane.max);
 }
 
 }  // namespace hariko

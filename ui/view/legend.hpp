@@ -1,7 +1,6 @@
 #pragma once
 
-// What lies over the picture to read it by: legends of maps, marks, combs and tensions, and the tensions'
-// numbers.
+// Legends over the picture to read it by: of maps, marks, combs and tensions.
 
 #include "ui/editor/scene_builder.hpp"
 #include "ui/widgets/panels.hpp"
@@ -15,12 +14,11 @@ inline constexpr const char* legend_window = "##legend";
 /// on an end of a map's range types a value, the mode's name offers the others, a right click resets.
 void draw_legend(PanelContext& context, const PanelRect& viewport, const SceneBuilder& scene);
 
-/// Tensions beside their elements, on objects that show them: all where they are few, else those that were
-/// changed, as many as have room. Into the current window.
-void draw_tension_numbers(PanelContext& context, const PanelRect& view, const Camera& camera,
-                          const Scene& scene);
-
 /// A colour of maps as ImGui has colours.
 ImU32 to_imgui(const Color& color);
+
+/// A ring where the shown error is the largest, and, where four pictures are compared, what this one shows.
+void draw_mesh_overlay(const PanelContext& context, const Camera& camera, PixelSize size,
+                       const PanelRect& pane, std::size_t view);
 
 }  // namespace hariko

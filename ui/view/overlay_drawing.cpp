@@ -5,18 +5,9 @@
 #include <charconv>
 #include <cmath>
 
-namespace hariko {
+#include "ui/view/snapping.hpp"
 
-ImU32 axis_colour(int axis, unsigned alpha) {
-  switch (axis) {
-    case 0:
-      return IM_COL32(0xe5, 0x48, 0x4d, alpha);
-    case 1:
-      return IM_COL32(0x46, 0xa7, 0x58, alpha);
-    default:
-      return IM_COL32(0x3e, 0x82, 0xf7, alpha);
-  }
-}
+namespace hariko {
 
 ImVec2 on_screen(const ToolOverlay& overlay, const Vector2& pixel) {
   const ImVec2 scale = ImGui::GetIO().DisplayFramebufferScale;
@@ -62,6 +53,17 @@ void draw_axis_line(const ToolOverlay& overlay, const Projector& projector, cons
   }
 }
 
+void draw_polyline(const ToolOverlay& overlay, const Projector& projector, std::span<const Vector3> points,
+                   ImU32 colour, float width) {
+  std::optional<ImVec2> last;
+  for (const Vector3& point : points) {
+    const auto pixel = projector.project(point);
+    const auto at = pixel ? std::optional(on_screen(overlay, pixel->head<2>())) : std::nullopt;
+    if (at && last) overlay.list.AddLine(*last, *at, colour, overlay.metrics.px(width));
+    last = at;
+  }
+}
+
 void draw_dashed_line(const ToolOverlay& overlay, const Vector2& from, const Vector2& to, ImU32 colour) {
   const double length = (to - from).norm(), dash = overlay.metrics.px(6);
   if (!(length > 1) || length > 1e5) return;
@@ -89,6 +91,53 @@ std::string length_text(const Editor& editor, double length) {
   const double size = std::max(1e-12, editor.camera().view_height());
   const int decimals = std::clamp(3 - static_cast<int>(std::floor(std::log10(size))), 0, 9);
   return fixed_text(length, decimals) + " " + std::string(to_string(editor.document().unit));
+}
+
+namespace {
+
+constexpr int lines_each_way = 60;
+
+/// A step whose lines are far enough from each other to be read, and how many make a stronger line.
+double line_step(const ToolContext& context, const Vector3& point) {
+  return grid_step(context, point).size();
+}
+
+void draw_line(const ToolOverlay& overlay, const Projector& projector, const Vector3& from, const Vector3& to,
+               ImU32 colour, float width) {
+  const auto a = projector.project(from), b = projector.project(to);
+  if (!a || !b) return;
+  overlay.list.AddLine(on_screen(overlay, a->head<2>()), on_screen(overlay, b->head<2>()), colour, width);
+}
+
+}  // namespace
+
+void draw_plane_grid(const ToolContext& context, const ToolOverlay& overlay, const Vector3& point,
+                     const Matrix3& axes) {
+  const Projector projector = context.projector();
+  const double step = line_step(context, point);
+  const double reach = lines_each_way * step;
+  const float thin = overlay.metrics.px(1);
+  for (int axis = 0; axis < 2; ++axis) {
+    const Vector3 along = reach * axes.col(axis), across = step * axes.col(1 - axis);
+    for (int i = -lines_each_way; i <= lines_each_way; ++i) {
+      if (i == 0) continue;
+      const Vector3 middle = point + i * across;
+      draw_line(overlay, projector, middle - along, middle + along,
+                with_alpha(palette().dim_text, i % 10 == 0 ? 0.45F : 0.16F), thin);
+    }
+  }
+  for (int axis = 0; axis < 2; ++axis)
+    draw_axis_line(overlay, projector, point, axes.col(axis), axis_colour(axis, 190));
+  // Lengths at the stronger lines.
+  for (int axis = 0; axis < 2; ++axis)
+    for (int i = -lines_each_way; i <= lines_each_way; i += 10) {
+      if (i == 0) continue;
+      const auto at = projector.project(point + i * step * axes.col(axis));
+      if (!at) continue;
+      ImVec2 place = on_screen(overlay, at->head<2>());
+      place.x += overlay.metrics.px(3), place.y += overlay.metrics.px(2);
+      overlay.list.AddText(place, palette().dim_text, length_text(context.editor, i * step).c_str());
+    }
 }
 
 }  // namespace hariko

@@ -1,10 +1,12 @@
 // Notices over the viewport.
 
 #include <algorithm>
-#include <cmath>
+#include <array>
+#include <cstdio>
 
 #include "ui/base/icons.hpp"
-#include "ui/base/text_lines.hpp"
+#include "ui/view/view_frame.hpp"
+#include "ui/widgets/items.hpp"
 #include "ui/widgets/panels.hpp"
 
 namespace hariko {
@@ -28,24 +30,23 @@ void draw_notices(PanelContext& context, const PanelRect& viewport) {
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
                      ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav);
     const bool error = notice.kind == Notice::Kind::error, info = notice.kind == Notice::Kind::info;
-    ImGui::PushStyleColor(ImGuiCol_Text, error  ? palette().error
-                                         : info ? palette().secondary
-                                                : palette().warning);
     ImGui::AlignTextToFramePadding();
-    ImGui::TextUnformatted(error ? icon::error : info ? icon::info : icon::warning);
-    ImGui::PopStyleColor();
+    coloured_text(error  ? palette().error
+                  : info ? palette().secondary
+                         : palette().warning,
+                  error  ? icon::error
+                  : info ? icon::info
+                         : icon::warning);
     ImGui::SameLine();
     ImGui::BeginGroup();
     ImGui::AlignTextToFramePadding();
     text_in_lines(notice.text, width - m.px(48));
-    if (!notice.remedy.empty()) {
-      const TextColour dim(palette().dim_text);
-      text_in_lines(notice.remedy, width - m.px(48));
-    }
+    if (!notice.remedy.empty()) coloured_lines(palette().dim_text, notice.remedy, width - m.px(48));
     ImGui::EndGroup();
     ImGui::SameLine(width - m.px(36));
-    if (icon_button(context, icon::close, "dismiss", context.tr("Dismiss"), false, 24)) dismissed = number;
-    context.marks.item("notice." + std::to_string(number));
+    if (icon_button(context, icon::close, "notice." + std::to_string(number), context.tr("Dismiss"), false,
+                    24))
+      dismissed = number;
     y += ImGui::GetWindowHeight() + m.px(8);
     ImGui::End();
     ImGui::PopStyleColor();
@@ -71,6 +72,77 @@ void draw_cursor_note(PanelContext& context) {
   draw.AddRect(low, {low.x + size.x, low.y + size.y}, palette().warning, m.px(6));
   draw.AddText(ImGui::GetFont(), ImGui::GetFontSize(), {low.x + pad, low.y + pad}, palette().text,
                note->text.c_str(), nullptr, wrap);
+}
+
+// The frame-time overlay: shares of the last frames in numbers and as a small history.
+
+namespace {
+
+constexpr double sixty_a_second = 1000.0 / 60;
+
+std::string milliseconds(double value) {
+  std::array<char, 24> text{};
+  std::snprintf(text.data(), text.size(), "%.1f ms", value);
+  return text.data();
+}
+
+void draw_history(ImDrawList& list, const Metrics& m, const FrameTimes& times, ImVec2 low, ImVec2 high) {
+  const double most = std::max(2 * sixty_a_second, times.total(0.95) * 1.2);
+  const float step = (high.x - low.x) / float(FrameTimes::kept);
+  const auto y_of = [&](double ms) {
+    return high.y - (high.y - low.y) * static_cast<float>(std::min(1.0, ms / most));
+  };
+  list.AddRectFilled(low, high, with_alpha(palette().window, 0.6F));
+  float x = high.x - step * float(times.samples().size());
+  for (const FrameSample& sample : times.samples()) {
+    list.AddRectFilled({x, y_of(sample.ours + sample.renderer)}, {x + step, y_of(sample.ours)},
+                       with_alpha(palette().dim_text, 0.6F));
+    list.AddRectFilled({x, y_of(sample.ours)}, {x + step, high.y}, palette().accent);
+    x += step;
+  }
+  list.AddLine({low.x, y_of(sixty_a_second)}, {high.x, y_of(sixty_a_second)}, palette().good, m.px(1));
+}
+
+}  // namespace
+
+void draw_frame_overlay(const PanelContext& context, const PanelRect& pane) {
+  const FrameTimes& times = context.editor.frame_times;
+  if (!times.visible) return;
+  const Metrics& m = context.metrics;
+  const Language& tr = context.tr;
+  const Object* object = context.editor.active_object();
+  const SurfaceView* view = object ? context.editor.view_of(object->id) : nullptr;
+  struct Row {
+    std::string name, middle, high;
+  };
+  std::vector<Row> rows{{tr("Frame time"), "p50", "p95"}};
+  const auto row = [&](const char* name, double p50, double p95) {
+    rows.push_back({name, milliseconds(p50), milliseconds(p95)});
+  };
+  row(tr("Our work"), times.ours(0.5), times.ours(0.95));
+  row(tr("OpenGL"), times.renderer(0.5), times.renderer(0.95));
+  row(tr("Together"), times.total(0.5), times.total(0.95));
+  row(tr("Pointer to surface"), times.latency(0.5), times.latency(0.95));
+  rows.push_back({tr("Last surface"), view ? milliseconds(view->milliseconds) : std::string(), ""});
+
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const float line = ImGui::GetTextLineHeight() + m.px(3), width = m.px(292), graph = m.px(44);
+  const ImVec2 low(pane.min.x + m.px(8), pane.min.y + m.px(42));
+  const ImVec2 high(low.x + width, low.y + line * float(rows.size()) + graph + m.px(24));
+  list.AddRectFilled(low, high, palette().overlay, m.px(6));
+  float y = low.y + m.px(8);
+  for (const Row& r : rows) {
+    const bool head = &r == rows.data();
+    const ImU32 colour = head ? palette().dim_text : palette().text;
+    list.AddText({low.x + m.px(10), y}, colour, r.name.c_str());
+    const auto right = [&](const std::string& text, float x) {
+      list.AddText({x - ImGui::CalcTextSize(text.c_str()).x, y}, colour, text.c_str());
+    };
+    right(r.middle, low.x + width - m.px(84));
+    right(r.high, low.x + width - m.px(10));
+    y += line;
+  }
+  draw_history(list, m, times, {low.x + m.px(10), y + m.px(4)}, {high.x - m.px(10), high.y - m.px(10)});
 }
 
 }  // namespace hariko

@@ -192,7 +192,7 @@ bool PointerTools::cancel() {
   navigation_.reset();
   tool_->cancel(context);
   tool_.reset();
-  // What it puts back was selected in the document that it found.
+  // The tool may put back a selection of the document that it found.
   editor_.selection.prune(editor_.history.current());
   return true;
 }

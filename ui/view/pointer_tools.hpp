@@ -57,11 +57,11 @@ class PointerTools {
   bool shift_ = false, control_ = false;           ///< as the tool knows them
   PointerEvent press_;
   bool pressed_ = false;              ///< the tool began with a press in the last frame
-  bool repeats_ = false;              ///< that press is still to be answered, on another document
+  bool repeats_ = false;              ///< a press still to be answered, on another document
   std::unique_ptr<Tool> navigation_;  ///< turns the view while a modal tool waits
   PointerEvent navigation_press_;
   Vector2 pointer_ = Vector2::Constant(-1);
-  double wheel_at_ = -1;  ///< when the wheel was turned last
+  double wheel_at_ = -1;  ///< time when the wheel was turned last
 };
 
 }  // namespace hariko

@@ -3,7 +3,6 @@
 #include <imgui_internal.h>
 
 #include <algorithm>
-#include <array>
 
 #include "ui/view/legend.hpp"
 #include "ui/view/view_frame.hpp"

@@ -1,10 +1,9 @@
 #include "ui/view/region_tool.hpp"
 
-#include <algorithm>
 #include <map>
 
-#include "core/document/edits/edit_solids.hpp"
 #include "render/region_picking.hpp"
+#include "ui/editor/object_kind.hpp"
 #include "ui/editor/skin_view.hpp"
 #include "ui/view/overlay_drawing.hpp"
 #include "ui/view/skin_sight.hpp"
@@ -73,8 +72,8 @@ std::shared_ptr<const DisplayPolyhedron> points_of(const Editor& editor, const O
   return marks.finish();
 }
 
-/// Ids of solids of which a region holds all points, or anything at all where it crosses.
-std::set<VertexId> solids_in(const DisplayPolyhedron& shown, const Highlights& held, bool crossing) {
+/// Ids of bodies of which a region holds all points, or anything at all where it crosses.
+std::set<VertexId> bodies_in(const DisplayPolyhedron& shown, const Highlights& held, bool crossing) {
   std::set<VertexId> out;
   if (crossing) {
     for (const Index v : held.vertices) out.insert(shown.vertex_ids[v]);
@@ -184,11 +183,12 @@ class RegionTool final : public Tool {
     if (!object || (editor.view.surfaces_only && editor.mode != ElementMode::object)) return;
     const bool whole = editor.mode == ElementMode::object;
     if (shown.copy && !whole) return;  // elements are those at the own place
-    if (object->skin() && !whole && object != shown_skin(editor)) return;  // its points are not shown
-    if (object->skin())
+    if (object_kind(*object).elements_shown() == ElementsShown::layer) {
+      if (!whole && object != shown_skin(editor)) return;  // its points are not shown
       shown.polyhedron = whole ? curves_of(*object->skin()->skin) : points_of(editor, *object);
-    if (object->skin() && !whole && !takes_hidden(editor) && !hidden_points_.contains(id))
-      hidden_points_[id] = hidden_points_of(editor, *object, projector);
+      if (!whole && !takes_hidden(editor) && !hidden_points_.contains(id))
+        hidden_points_[id] = hidden_points_of(editor, *object, projector);
+    }
     if (!shown.polyhedron || shown.polyhedron->positions.empty()) return;
     ElementKinds kinds;
     if (!whole && object->cage())
@@ -211,13 +211,12 @@ class RegionTool final : public Tool {
   ElementSelection elements_of(const Editor& editor, const Object& object, const SceneObject& shown,
                                Highlights held) {
     ElementSelection out;
-    if (object.solids()) {
-      // The surface round them does not hide them.
-      if (shown.show_polyhedron) out.vertices = solids_in(*shown.polyhedron, held, crosses());
-      std::erase_if(out.vertices, [&](VertexId solid) { return !find_solid(object, solid.value); });
-      return out;
+    const ObjectKind& kind = object_kind(object);
+    if (kind.elements_shown() == ElementsShown::bodies) {
+      if (shown.show_polyhedron) out.vertices = bodies_in(*shown.polyhedron, held, crosses());
+      return kind.existing(object, std::move(out));
     }
-    if (object.skin()) {
+    if (kind.elements_shown() == ElementsShown::layer) {
       std::set<VertexId> left;
       const auto hidden = hidden_points_.find(object.id);
       for (const Index v : held.vertices) {
@@ -228,7 +227,7 @@ class RegionTool final : public Tool {
       left_out_ += left.size();
       return out;
     }
-    if (!(object.cage() || object.outline()) || !shown.elements_pickable) return out;
+    if (kind.elements_shown() == ElementsShown::none || !shown.elements_pickable) return out;
     if (editor.mode != ElementMode::vertex) held.vertices.clear();
     if (editor.mode != ElementMode::edge) held.edges.clear();
     if (editor.mode != ElementMode::face) held.faces.clear();
@@ -254,7 +253,7 @@ class RegionTool final : public Tool {
   std::vector<Vector2> path_;  ///< the box's first corner, or the lasso
   Vector2 at_ = Vector2::Zero();
   std::optional<RegionSight> sight_;  ///< nothing where hidden elements are taken, too
-  std::map<ObjectId, std::set<std::uint32_t>> hidden_points_;  ///< of skins, as the region began
+  std::map<ObjectId, std::set<std::uint32_t>> hidden_points_;  ///< points of skins, as the region began
   std::size_t left_out_ = 0;
 };
 

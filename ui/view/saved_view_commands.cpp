@@ -3,14 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <utility>
 
 #include "core/document/edits/edit_views.hpp"
 #include "core/document/words.hpp"
 #include "ui/base/icons.hpp"
 #include "ui/editor/command_host.hpp"
+#include "ui/editor/object_size.hpp"
 #include "ui/editor/saved_views.hpp"
-#include "ui/view/rename_view.hpp"
+#include "ui/view/view_menus.hpp"
 
 namespace hariko {
 
@@ -102,9 +102,7 @@ SavedView view_of_script(const Editor& editor, const Arguments& given) {
   if (given.has("target")) view.target = given.point("target");
   if (given.has("distance")) view.distance = given.number("distance");
   if (given.has("target") && given.has("distance")) return view;
-  Box3 box;
-  for (const auto& object : editor.document().objects)
-    if (object->visible) box.extend(world_box(*object));
+  const Box3 box = box_of_visible(editor.document());
   const Camera framed = camera_of(view).frame(box, picture);
   if (!given.has("target")) view.target = framed.target;
   if (!given.has("distance")) view.distance = framed.distance;
@@ -124,27 +122,17 @@ void update_by_script(Editor& editor, const Arguments& given) {
 void add_view_saving(CommandHost& host) {
   Editor& editor = host.editor;
   const WhyNot document = needs_document(editor);
-  host.table.add({.id = "view.save",
-                  .menu = saved_folder,
-                  .label = "Save view",
-                  .help = "Keep what this view shows under a name, in the document.",
-                  .keys = "Ctrl+Alt+V",
-                  .changes_document = true,
-                  .run = [&editor] { save_view(editor, name_for_new_view(editor)); },
-                  .why_not = document,
-                  .script = {.arguments = view_arguments(),
-                             .run = [&editor](const Arguments& given) { save_by_script(editor, given); }}});
+  MenuRows rows(host.table, saved_folder);
+  rows.add_edit("view.save", "Save view", "Keep what this view shows under a name, in the document.",
+                [&editor] { save_view(editor, name_for_new_view(editor)); }, document,
+                {.keys = "Ctrl+Alt+V",
+                 .script = {.arguments = view_arguments(),
+                            .run = [&editor](const Arguments& given) { save_by_script(editor, given); }}});
   const WhyNot any = needs_saved_view(editor);
   const auto stepping = [&](const char* id, const char* label, const char* help, const char* keys,
                             bool forward) {
-    host.table.add({.id = id,
-                    .menu = saved_folder,
-                    .label = label,
-                    .help = help,
-                    .keys = keys,
-                    .while_tool_runs = true,
-                    .run = [&editor, forward] { step_saved_view(editor, forward); },
-                    .why_not = any});
+    rows.add(id, label, help, [&editor, forward] { step_saved_view(editor, forward); }, any,
+             {.keys = keys, .while_tool_runs = true});
   };
   stepping("view.next_saved", "Next saved view", "Go to the saved view after the chosen one.", "Alt+PgDn",
            true);
@@ -156,79 +144,47 @@ void add_view_changing(CommandHost& host) {
   Editor& editor = host.editor;
   const WhyNot chosen = needs_saved_view(editor);
   const auto name_argument = [] { return text_argument("name", translatable("Name")); };
-  host.table.add({.id = "view.go",
-                  .menu = saved_folder,
-                  .label = "Back to the saved view",
-                  .help = "Show again what the saved view shows that was chosen last.",
-                  .while_tool_runs = true,
-                  .run = [&editor] { go_to_view(editor, chosen_name(editor)); },
-                  .why_not = chosen});
-  host.table.add({.id = "view.update",
-                  .menu = saved_folder,
-                  .label = "Update saved view",
-                  .help = "Put what this view shows in the place of the saved view that was chosen last.",
-                  .changes_document = true,
-                  .separator_before = true,
-                  .run = [&editor] { take_over_view(editor, chosen_name(editor)); },
-                  .why_not = chosen,
-                  .script = {.arguments = view_arguments(),
-                             .run = [&editor](const Arguments& given) { update_by_script(editor, given); }}});
-  host.table.add(
-      {.id = "view.rename",
-       .menu = saved_folder,
-       .label = "Rename saved view\u2026",
-       .help = "Give the saved view that was chosen last another name.",
-       .changes_document = true,
-       .needs_window = true,
-       .run = [&editor, &host] { ask_view_name(editor, host.services, chosen_name(editor)); },
-       .why_not = chosen,
-       .script = {.arguments = {name_argument(), text_argument("to", translatable("the new name"))},
-                  .run = [&editor](const Arguments& given) {
-                    name_view(editor, given.text("name"), given.text("to"));
-                  }}});
-  host.table.add({.id = "view.delete",
-                  .menu = saved_folder,
-                  .label = "Delete saved view",
-                  .help = "Take the saved view that was chosen last out of the document.",
-                  .changes_document = true,
-                  .run = [&editor] { delete_view(editor, chosen_name(editor)); },
-                  .why_not = chosen,
-                  .script = {.arguments = {name_argument()}, .run = [&editor](const Arguments& given) {
-                               delete_view(editor, given.text("name"));
-                             }}});
+  MenuRows rows(host.table, saved_folder);
+  rows.add("view.go", "Back to the saved view", "Show again what the saved view shows that was chosen last.",
+           [&editor] { go_to_view(editor, chosen_name(editor)); }, chosen, {.while_tool_runs = true});
+  rows.add_edit("view.update", "Update saved view",
+                "Put what this view shows in the place of the saved view that was chosen last.",
+                [&editor] { take_over_view(editor, chosen_name(editor)); }, chosen,
+                {.separator_before = true,
+                 .script = {.arguments = view_arguments(),
+                            .run = [&editor](const Arguments& given) { update_by_script(editor, given); }}});
+  rows.add_edit("view.rename", "Rename saved view\u2026",
+                "Give the saved view that was chosen last another name.",
+                [&editor, &host] { ask_view_name(editor, host.services, chosen_name(editor)); }, chosen,
+                {.needs_window = true,
+                 .script = {.arguments = {name_argument(), text_argument("to", translatable("the new name"))},
+                            .run = [&editor](const Arguments& given) {
+                              name_view(editor, given.text("name"), given.text("to"));
+                            }}});
+  rows.add_edit(
+      "view.delete", "Delete saved view", "Take the saved view that was chosen last out of the document.",
+      [&editor] { delete_view(editor, chosen_name(editor)); }, chosen,
+      {.script = {.arguments = {name_argument()},
+                  .run = [&editor](const Arguments& given) { delete_view(editor, given.text("name")); }}});
 }
 
 void add_lens_commands(CommandHost& host) {
   Editor& editor = host.editor;
   const WhyNot document = needs_document(editor);
-  const auto add = [&](Command row) {
-    row.menu = lens_folder;
-    row.while_tool_runs = true;
-    row.why_not = document;
-    host.table.add(std::move(row));
-  };
-  add({.id = "view.focal_length",
-       .label = "Focal length\u2026",
-       .help = "How wide the view sees in perspective, in millimetres as on film of 36 x 24 mm.",
-       .needs_window = true,
-       .run = [&editor, &host] { ask_focal_length(editor, host.services); }});
-  add({.id = "view.longer_lens",
-       .label = "Longer lens",
-       .help = "The next longer focal length: flatter, from farther away.",
-       .keys = "Alt+Num +",
-       .run = [&editor] { step_lens(editor, true); }});
-  add({.id = "view.wider_lens",
-       .label = "Wider lens",
-       .help = "The next shorter focal length: deeper, from nearer by.",
-       .keys = "Alt+Num -",
-       .run = [&editor] { step_lens(editor, false); }});
-  add({.id = "view.two_point",
-       .label = "Two-point perspective",
-       .help = "Upright edges stay upright and parallel in the picture.",
-       .keys = "Ctrl+Num 5",
-       .separator_before = true,
-       .run = [&editor] { editor.layout.active_view().toggle_two_point(); },
-       .checked = [&editor] { return editor.camera().two_point && !editor.camera().orthographic; }});
+  MenuRows rows(host.table, lens_folder, true);
+  rows.add("view.focal_length", "Focal length\u2026",
+           "How wide the view sees in perspective, in millimetres as on film of 36 x 24 mm.",
+           [&editor, &host] { ask_focal_length(editor, host.services); }, document, {.needs_window = true});
+  rows.add("view.longer_lens", "Longer lens", "The next longer focal length: flatter, from farther away.",
+           [&editor] { step_lens(editor, true); }, document, {.keys = "Alt+Num +"});
+  rows.add("view.wider_lens", "Wider lens", "The next shorter focal length: deeper, from nearer by.",
+           [&editor] { step_lens(editor, false); }, document, {.keys = "Alt+Num -"});
+  rows.add("view.two_point", "Two-point perspective",
+           "Upright edges stay upright and parallel in the picture.",
+           [&editor] { editor.layout.active_view().toggle_two_point(); }, document,
+           {.keys = "Ctrl+Num 5", .separator_before = true, .checked = [&editor] {
+              return editor.camera().two_point && !editor.camera().orthographic;
+            }});
 }
 
 }  // namespace

@@ -5,38 +5,50 @@
 #include "core/modeling/selection/select_similar.hpp"
 #include "ui/base/icons.hpp"
 #include "ui/editor/command_host.hpp"
+#include "ui/editor/object_kind.hpp"
+#include "ui/editor/operations.hpp"
+#include "ui/view/command_scripts.hpp"
 #include "ui/view/region_tool.hpp"
-#include "ui/view/select_scripts.hpp"
 #include "ui/view/viewport.hpp"
 
 namespace hariko {
 
 namespace {
 
-using Change = std::function<ElementSelection(const PolyhedronSource&, const ElementSelection&)>;
-
 constexpr double similar_tolerance = 0.01;
 
-/// Something of the kinds asked for is selected, of whatever object, and elements are what is being selected.
-WhyNot needs_selected(const Editor& editor, NeededElements kinds) {
-  return [&editor, kinds]() -> Reason {
+/// Something of the kinds asked for is selected, of an object whose elements the change can do something to,
+/// and elements are what is being selected.
+WhyNot needs_selected(const Editor& editor, NeededElements kinds, const ElementChange& change) {
+  return [&editor, kinds, why_not = change.why_not]() -> Reason {
     if (auto reason = needs_document(editor)()) return reason;
     if (editor.mode == ElementMode::object)
       return translatable("Objects are being selected. Press 1, 2 or 3 for their elements.");
-    for (const auto& [id, elements] : editor.selection.elements())
-      if ((kinds.vertices && !elements.vertices.empty()) || (kinds.edges && !elements.edges.empty()) ||
-          (kinds.faces && !elements.faces.empty()))
-        return {};
-    if (kinds.vertices && kinds.edges && kinds.faces)
-      return translatable("Nothing is selected. Click a vertex, an edge or a face.");
-    if (kinds.vertices && kinds.edges) return translatable("Nothing is selected. Click a vertex or an edge.");
-    if (kinds.vertices) return translatable("No vertices are selected. Press 1 and click one.");
-    if (kinds.edges) return translatable("No edges are selected. Press 2 and click one.");
-    return translatable("No faces are selected. Press 3 and click one.");
+    const char* reason = kinds.missing();
+    for (const auto& [id, elements] : editor.selection.elements()) {
+      const Object* object = editor.document().find(id);
+      if (!object || !kinds.among(elements)) continue;
+      const char* fault = why_not(*object);
+      if (!fault) return {};
+      reason = fault;
+    }
+    return reason;
   };
 }
 
 constexpr NeededElements any_kind{.vertices = true, .edges = true, .faces = true};
+
+/// The active object has elements of the mode, or objects are being selected.
+WhyNot needs_elements_of_mode(const Editor& editor) {
+  return only_if(
+      needs_object(editor),
+      [&editor] {
+        return editor.mode == ElementMode::object ||
+               object_kind(*editor.active_object()).has_elements(editor.mode);
+      },
+      translatable("The chosen object has nothing to select in this mode. Press 1 for points, 4 for "
+                   "objects."));
+}
 
 void convert(Editor& editor, ElementMode mode) {
   editor.selection = converted(editor.selection, editor.document(), editor.mode, mode);
@@ -56,19 +68,16 @@ void add_modes(CommandHost& host) {
   Editor& editor = host.editor;
   const auto mode = [&](const char* id, const char* label, const char* keys, const char* symbol,
                         ElementMode value) {
-    host.table.add({.id = id,
-                    .menu = "Select",
-                    .label = label,
-                    .help = "What a click takes.",
-                    .keys = keys,
-                    .icon = symbol,
-                    .run = [&editor, value] { change_mode(editor, value); },
-                    .checked = [&editor, value] { return editor.mode == value; },
-                    .script = {.arguments = arguments_to_select(value),
-                               .run = [&editor, value](const Arguments& arguments) {
-                                 change_mode(editor, value);
-                                 select_as_written(editor, arguments);
-                               }}});
+    MenuRows(host.table, "Select")
+        .add(id, label, "What a click takes.", [&editor, value] { change_mode(editor, value); }, {},
+             {.keys = keys,
+              .icon = symbol,
+              .checked = [&editor, value] { return editor.mode == value; },
+              .script = {.arguments = arguments_to_select(value),
+                         .run = [&editor, value](const Arguments& arguments) {
+                           change_mode(editor, value);
+                           select_as_written(editor, arguments);
+                         }}});
   };
   mode("select.vertices", "Vertices", "1", icon::vertex, ElementMode::vertex);
   mode("select.edges", "Edges", "2", icon::edge, ElementMode::edge);
@@ -76,13 +85,9 @@ void add_modes(CommandHost& host) {
   mode("select.objects", "Objects", "4", icon::object, ElementMode::object);
   const WhyNot document = needs_document(editor);
   const auto conversion = [&](const char* id, const char* label, const char* keys, ElementMode value) {
-    host.table.add({.id = id,
-                    .menu = submenu("Select", translatable("Convert")),
-                    .label = label,
-                    .help = "Selects the elements of this kind that the selection consists of.",
-                    .keys = keys,
-                    .run = [&editor, value] { convert(editor, value); },
-                    .why_not = document});
+    MenuRows(host.table, submenu("Select", translatable("Convert")))
+        .add(id, label, "Selects the elements of this kind that the selection consists of.",
+             [&editor, value] { convert(editor, value); }, document, {.keys = keys});
   };
   conversion("select.to_vertices", "To vertices", "Ctrl+1", ElementMode::vertex);
   conversion("select.to_edges", "To edges", "Ctrl+2", ElementMode::edge);
@@ -107,66 +112,49 @@ void invert_selection(Editor& editor) {
     }
     return;
   }
-  const auto inverted = [&](const PolyhedronSource& source, const ElementSelection& elements) {
-    return invert(source.polyhedron, elements, kind_of(editor.mode));
-  };
-  // An object without a selection is inverted when it is the active one.
-  const Object* active = editor.active_object();
-  const bool alone = selection.of_active().empty();
-  change_elements(selection, editor.document(), inverted);
-  if (alone && active && active->polyhedron())
-    selection.set(active->id, select_all(active->polyhedron()->polyhedron, kind_of(editor.mode)));
+  invert_elements(editor);
 }
 
 void add_wholes(CommandHost& host) {
   Editor& editor = host.editor;
-  host.table.add({.id = "select.all",
-                  .menu = "Select",
-                  .label = "All",
-                  .help = "Select every element of the active object, or every object.",
-                  .keys = "Ctrl+A",
-                  .separator_before = true,
-                  .run = [&editor] { select_all(editor); },
-                  .why_not = needs_object(editor)});
-  host.table.add(
-      {.id = "select.none",
-       .menu = "Select",
-       .label = "None",
-       .help = "Select nothing.",
-       .keys = "Ctrl+Shift+A",
-       .run =
-           [&editor] {
-             if (editor.mode == ElementMode::object) editor.selection.clear_objects();
-             editor.selection.clear_elements();
-           },
-       .why_not = only_if(
-           [&editor] { return !editor.selection.no_elements() || !editor.selection.objects().empty(); },
-           translatable("Nothing is selected."))});
-  host.table.add({.id = "select.invert",
-                  .menu = "Select",
-                  .label = "Invert",
-                  .help = "Select what is not selected.",
-                  .keys = "Ctrl+Shift+I",
-                  .run = [&editor] { invert_selection(editor); },
-                  .why_not = needs_object(editor)});
+  MenuRows rows(host.table, "Select");
+  rows.add("select.all", "All", "Select every element of the active object, or every object.",
+           [&editor] { select_all(editor); }, needs_elements_of_mode(editor),
+           {.keys = "Ctrl+A", .separator_before = true});
+  rows.add(
+      "select.none", "None", "Select nothing.",
+      [&editor] {
+        if (editor.mode == ElementMode::object) editor.selection.clear_objects();
+        editor.selection.clear_elements();
+      },
+      only_if([&editor] { return !editor.selection.no_elements() || !editor.selection.objects().empty(); },
+              translatable("Nothing is selected.")),
+      {.keys = "Ctrl+Shift+A"});
+  rows.add(
+      "select.invert", "Invert", "Select what is not selected.", [&editor] { invert_selection(editor); },
+      [&editor, all = needs_elements_of_mode(editor)] {
+        return editor.selection.no_elements() ? all() : Reason();
+      },
+      {.keys = "Ctrl+Shift+I"});
 }
 
-/// The connected part under the pointer, else those that the selection touches.
+/// All that hangs together with what is under the pointer, else with what is selected.
 void select_linked(Editor& editor) {
-  const auto& hovered = editor.hovered;
-  const Object* object = hovered ? editor.document().find(hovered->object) : nullptr;
-  if (object && object->polyhedron() && editor.mode != ElementMode::object) {
-    Selection one;
-    one.select(*hovered, Selection::How::replace);
-    editor.selection.select(object->id, linked(object->polyhedron()->polyhedron, one.of(object->id)),
-                            Selection::How::add);
-    editor.selection.active = object->id;
+  if (editor.hovered && editor.mode != ElementMode::object && select_linked_to(editor, *editor.hovered))
     return;
-  }
-  change_elements(editor.selection, editor.document(),
-                  [](const PolyhedronSource& source, const ElementSelection& elements) {
-                    return linked(source.polyhedron, elements);
-                  });
+  change_elements(editor, by_links());
+}
+
+WhyNot needs_links(const Editor& editor) {
+  return [&editor, selected = needs_selected(editor, any_kind, by_links())]() -> Reason {
+    const bool elements = editor.hovered && editor.mode != ElementMode::object;
+    const Object* under = elements ? editor.document().find(editor.hovered->object) : nullptr;
+    const char* alone = under ? object_kind(*under).why_not_linked() : nullptr;
+    if (under && !alone) return {};
+    Reason reason = selected();
+    if (reason && alone) reason = alone;
+    return reason;
+  };
 }
 
 ElementSelection paths(const Polyhedron& polyhedron, const ElementSelection& elements,
@@ -181,60 +169,41 @@ ElementSelection paths(const Polyhedron& polyhedron, const ElementSelection& ele
 
 void add_growth(CommandHost& host) {
   Editor& editor = host.editor;
+  MenuRows rows(host.table, "Select");
   const auto change = [&](const char* id, const char* label, const char* help, const char* keys,
-                          NeededElements kinds, bool first, Change how) {
-    host.table.add({.id = id,
-                    .menu = "Select",
-                    .label = label,
-                    .help = help,
-                    .keys = keys,
-                    .separator_before = first,
-                    .run = [&editor, how = std::move(
-                                         how)] { change_elements(editor.selection, editor.document(), how); },
-                    .why_not = needs_selected(editor, kinds)});
+                          NeededElements kinds, const ElementChange& how) {
+    rows.add(id, label, help, [&editor, how] { change_elements(editor, how); },
+             needs_selected(editor, kinds, how), {.keys = keys});
   };
-  change("select.grow", "Grow", "Add the neighbours of the selection.", "Ctrl+Num + / Ctrl+=", any_kind, true,
-         [](const auto& source, const auto& elements) { return grow(source.polyhedron, elements); });
+  rows.next_group();
+  change("select.grow", "Grow", "Add the neighbours of the selection.", "Ctrl+Num + / Ctrl+=", any_kind,
+         by_cage(grow));
   change("select.shrink", "Shrink", "Remove the rim of the selection.", "Ctrl+Num - / Ctrl+-", any_kind,
-         false, [](const auto& source, const auto& elements) { return shrink(source.polyhedron, elements); });
-  host.table.add({.id = "select.linked",
-                  .menu = "Select",
-                  .label = "Linked",
-                  .help = "Add all that hangs together with what is under the pointer.",
-                  .keys = "L",
-                  .run = [&editor] { select_linked(editor); },
-                  .why_not = [&editor]() -> Reason {
-                    if (editor.hovered && editor.mode != ElementMode::object) return {};
-                    return needs_selected(editor, any_kind)();
-                  }});
+         by_cage(shrink));
+  rows.add("select.linked", "Linked", "Add all that hangs together with what is under the pointer.",
+           [&editor] { select_linked(editor); }, needs_links(editor), {.keys = "L"});
   change("select.all_linked", "Linked to the selection", "Add all that hangs together with the selection.",
-         "Ctrl+L", any_kind, false,
-         [](const auto& source, const auto& elements) { return linked(source.polyhedron, elements); });
+         "Ctrl+L", any_kind, by_links());
+  rows.next_group();
   change("select.loop", "Edge loop",
          "Add the edges in line with the selected ones. A double click does the same.", "Shift+L",
-         {.edges = true}, true, [](const auto& source, const auto& elements) {
-           return paths(source.polyhedron, elements, edge_loop);
-         });
+         {.edges = true},
+         by_cage([](const auto& cage, const auto& elements) { return paths(cage, elements, edge_loop); }));
   change("select.ring", "Edge ring", "Add the edges side by side with the selected ones, from face to face.",
-         "Ctrl+Shift+L", {.edges = true}, false, [](const auto& source, const auto& elements) {
-           return paths(source.polyhedron, elements, edge_ring);
-         });
+         "Ctrl+Shift+L", {.edges = true},
+         by_cage([](const auto& cage, const auto& elements) { return paths(cage, elements, edge_ring); }));
   change("select.boundary", "Boundary of faces", "Select the edges round the selected faces.", "",
-         {.faces = true}, false, [](const auto& source, const auto& elements) {
-           return boundary_of_faces(source.polyhedron, elements);
-         });
+         {.faces = true}, by_cage(boundary_of_faces));
 }
 
 void add_similar(CommandHost& host) {
   Editor& editor = host.editor;
-  const auto similar = [&](const char* id, const char* label, NeededElements kinds, Change how) {
-    host.table.add({.id = id,
-                    .menu = submenu("Select", translatable("Similar")),
-                    .label = label,
-                    .help = "Add the elements that resemble the selected ones in this.",
-                    .run = [&editor, how = std::move(
-                                         how)] { change_elements(editor.selection, editor.document(), how); },
-                    .why_not = needs_selected(editor, kinds)});
+  const auto similar = [&](const char* id, const char* label, NeededElements kinds, auto alike) {
+    const ElementChange how = by_polyhedron(std::move(alike));
+    MenuRows(host.table, submenu("Select", translatable("Similar")))
+        .add(
+            id, label, "Add the elements that resemble the selected ones in this.",
+            [&editor, how] { change_elements(editor, how); }, needs_selected(editor, kinds, how));
   };
   const auto vertices = [&](const char* id, const char* label, VertexLikeness likeness) {
     similar(id, label, {.vertices = true}, [likeness](const auto& source, const auto& elements) {
@@ -277,30 +246,18 @@ void select_through(Editor& editor) {
 void add_pointing(CommandHost& host) {
   Editor& editor = host.editor;
   Viewport& viewport = host.viewport;
-  host.table.add({.id = "select.box",
-                  .menu = "Select",
-                  .label = "Box",
-                  .help = "Drag a box, also over elements.",
-                  .keys = "B",
-                  .separator_before = true,
-                  .needs_window = true,
-                  .run = [&viewport] { viewport.start_modal(make_region_tool(true)); },
-                  .why_not = needs_document(editor)});
-  host.table.add(switching({.id = "select.lasso",
-                            .menu = "Select",
-                            .label = "Lasso",
-                            .help = "Drags that begin beside elements draw a lasso; once more for boxes.",
-                            .keys = "Q",
-                            .icon = icon::lasso},
-                           editor.selecting.lasso));
-  host.table.add(
-      {.id = "select.through",
-       .menu = "Select",
-       .label = "Select through",
-       .help = "Also select what is hidden. In parallel views boxes and lassos do so from the start.",
-       .keys = "Shift+Q",
-       .run = [&editor] { select_through(editor); },
-       .checked = [&editor] { return editor.selecting.regions_through(editor.camera().orthographic); }});
+  MenuRows rows(host.table, "Select");
+  rows.add("select.box", "Box", "Drag a box, also over elements.",
+           [&viewport] { viewport.start_modal(make_region_tool(true)); }, needs_document(editor),
+           {.keys = "B", .separator_before = true, .needs_window = true});
+  rows.add_switch("select.lasso", "Lasso",
+                  "Drags that begin beside elements draw a lasso; once more for boxes.",
+                  editor.selecting.lasso, {.keys = "Q", .icon = icon::lasso});
+  rows.add("select.through", "Select through",
+           "Also select what is hidden. In parallel views boxes and lassos do so from the start.",
+           [&editor] { select_through(editor); }, {},
+           {.keys = "Shift+Q",
+            .checked = [&editor] { return editor.selecting.regions_through(editor.camera().orthographic); }});
 }
 
 }  // namespace

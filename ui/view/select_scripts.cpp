@@ -1,13 +1,13 @@
-#include "ui/view/select_scripts.hpp"
+#include "ui/view/command_scripts.hpp"
 
 #include <algorithm>
-#include <charconv>
 
 #include "core/base/text/sanitized_utf8.hpp"
 #include "core/document/edits/edits.hpp"
 #include "core/modeling/edit_result.hpp"
-#include "ui/editor/named_objects.hpp"
+#include "ui/base/text_number.hpp"
 #include "ui/editor/object_kind.hpp"
+#include "ui/editor/selected_items.hpp"
 
 namespace hariko {
 
@@ -20,18 +20,10 @@ const char* word_of(ElementMode mode) {
   return mode == ElementMode::vertex ? "vertex" : mode == ElementMode::edge ? "edge" : "face";
 }
 
-/// Number that is all of the text; nothing where the text is none.
-std::optional<std::uint32_t> parse_id(std::string_view text) {
-  std::uint32_t id = 0;
-  const auto [stop, status] = std::from_chars(text.data(), text.data() + text.size(), id);
-  if (status != std::errc() || stop != text.data() + text.size()) return {};
-  return id;
-}
-
 /// Adds the element of this name: "12", or "12-13" for an edge. False where it is no name.
 bool add_element(ElementSelection& elements, ElementMode mode, std::string_view name) {
   if (mode != ElementMode::edge) {
-    const auto id = parse_id(name);
+    const auto id = number_in<std::uint32_t>(name);
     if (!id) return false;
     if (mode == ElementMode::vertex)
       elements.vertices.insert(VertexId{*id});
@@ -39,11 +31,9 @@ bool add_element(ElementSelection& elements, ElementMode mode, std::string_view 
       elements.faces.insert(FaceId{*id});
     return true;
   }
-  const std::size_t dash = name.find('-');
-  if (dash == std::string_view::npos) return false;
-  const auto a = parse_id(name.substr(0, dash)), b = parse_id(name.substr(dash + 1));
-  if (!a || !b || *a == *b) return false;
-  elements.edges.insert(EdgeId::of(VertexId{*a}, VertexId{*b}));
+  const auto ends = numbers_in<std::uint32_t, 2>(name, '-');
+  if (!ends || (*ends)[0] == (*ends)[1]) return false;
+  elements.edges.insert(EdgeId::of(VertexId{(*ends)[0]}, VertexId{(*ends)[1]}));
   return true;
 }
 

@@ -3,9 +3,7 @@
 
 #include <algorithm>
 
-#include "core/gaussmap/outlines/edit_outline.hpp"
-#include "core/modeling/selection/edge_paths.hpp"
-#include "core/modeling/selection/select_region.hpp"
+#include "ui/editor/object_kind.hpp"
 #include "ui/view/region_tool.hpp"
 #include "ui/view/transform_tool.hpp"
 
@@ -41,8 +39,8 @@ class SelectTool final : public Tool {
     }
     // Dragging a chosen element moves all that are chosen, another one is chosen first.
     Selection& selection = context.editor.selection;
-    const auto chosen = std::find_if(under_.begin(), under_.end(),
-                                     [&](const ElementRef& ref) { return selection.contains(ref); });
+    const auto chosen =
+        std::ranges::find_if(under_, [&](const ElementRef& ref) { return selection.contains(ref); });
     if (chosen == under_.end()) selection.select(under_.front(), press_.shift ? How::add : How::replace);
     successor_ = make_transform_tool(TransformKind::move, DrivenBy::element);
     return ToolState::commit;
@@ -80,45 +78,20 @@ class SelectTool final : public Tool {
   /// A picture that is not chosen is what one draws a box over: it does not come along with the pointer.
   bool is_backdrop(const Editor& editor) const {
     const Object* object = editor.document().find(under_.front().object);
-    return object && object->picture() &&
-           std::none_of(under_.begin(), under_.end(),
-                        [&](const ElementRef& ref) { return editor.selection.contains(ref); });
+    return object && object_kind(*object).is_backdrop() &&
+           std::ranges::none_of(under_,
+                                [&](const ElementRef& ref) { return editor.selection.contains(ref); });
   }
 
-  /// The loop or ring of an edge, or all that hangs together with a vertex or face.
+  /// Selects what continues the clicked element: the loop or ring of an edge, all round a vertex or face.
   bool select_path(Editor& editor, bool ring, How how) const {
     const std::size_t index =
         editor.last_click && editor.last_click->index < under_.size() ? editor.last_click->index : 0;
     const ElementRef& ref = under_[press_.alt ? 0 : index];
     const Object* object = editor.document().find(ref.object);
-    if (object && object->outline() && ref.element.kind == Element::Kind::vertex)
-      return select_loop(editor, *object, ref, how);
-    if (!object || !object->cage()) return false;
-    const Polyhedron& polyhedron = *object->cage();
-    ElementSelection elements;
-    if (ref.element.kind == Element::Kind::edge) {
-      const EdgeId edge = EdgeId::from_packed(ref.element.id);
-      const auto path = ring ? edge_ring(polyhedron, edge) : edge_loop(polyhedron, edge);
-      elements.edges.insert(path.begin(), path.end());
-    } else {
-      Selection one;
-      one.select(ref, How::replace);
-      elements = linked(polyhedron, one.of(ref.object));
-    }
+    if (!object) return false;
+    const ElementSelection elements = object_kind(*object).continued(*object, ref.element, ring);
     if (elements.empty()) return false;
-    editor.selection.select(ref.object, elements, how);
-    editor.selection.active = ref.object;
-    editor.selection.last = ref;
-    return true;
-  }
-
-  /// All points of the loop of an outline.
-  static bool select_loop(Editor& editor, const Object& object, const ElementRef& ref, How how) {
-    const Outline& outline = *object.outline()->outline;
-    if (ref.element.id >= outline.point_count()) return false;
-    ElementSelection elements;
-    for (const Index number : whole_loops(outline, {static_cast<Index>(ref.element.id)}))
-      elements.vertices.insert(VertexId{number});
     editor.selection.select(ref.object, elements, how);
     editor.selection.active = ref.object;
     editor.selection.last = ref;

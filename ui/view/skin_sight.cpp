@@ -1,10 +1,10 @@
 #include "ui/view/skin_sight.hpp"
 
+#include <algorithm>
 #include <map>
 #include <utility>
 
 #include "ui/editor/scene_builder.hpp"
-#include "ui/editor/shown_surfaces.hpp"
 
 namespace hariko {
 
@@ -12,7 +12,7 @@ namespace {
 
 using Kind = SkinView::Handle::Kind;
 
-/// Where the surface is next to points of sections that it may miss.
+/// Places on the surface next to points of sections that it may miss.
 std::map<std::uint32_t, Vector3> places_on_surface(const Editor& editor, const Object& object) {
   std::map<std::uint32_t, Vector3> out;
   const Surface* surface = shown_surface(editor, object);
@@ -61,7 +61,7 @@ std::set<std::uint32_t> SkinSight::hidden_points() const {
   if (through_) return out;
   for (std::size_t i = 0; i < hidden_.size(); ++i)
     if (hidden_[i]) out.insert(view_.handles[i].id);
-  // Of a point two marks are shown, and either will do.
+  // Two marks are shown of a point, and either will do.
   for (std::size_t i = 0; i < hidden_.size(); ++i)
     if (!hidden_[i] && (view_.handles[i].kind == Kind::limit || view_.handles[i].kind == Kind::control))
       out.erase(view_.handles[i].id);
@@ -79,6 +79,38 @@ SkinHit SkinSight::hit(const Projector& projector, const Vector2& pixel, double 
   SkinHit out = skin_hit(seen, object_, projector, pixel, pixel_scale);
   if (out.kind == SkinHit::Kind::handle) out.index = handles[out.index];
   if (out.kind == SkinHit::Kind::diamond) out.index = diamonds[out.index];
+  return out;
+}
+
+void HandleSight::look(const Editor& editor) {
+  if (editor.view.x_ray || editor.selecting.through) return view_.reset();
+  std::vector<SceneObject> surfaces = shown_surfaces(editor);
+  const auto section = section_plane(editor.view);
+  const auto same = [](const SceneObject& a, const SceneObject& b) {
+    return a.mesh == b.mesh && a.transform == b.transform;
+  };
+  if (view_ && view_->camera == editor.camera() && view_->viewport == editor.viewport &&
+      view_->section == section && std::ranges::equal(view_->surfaces, surfaces, same))
+    return;
+  SurfaceOcclusion occlusion(surfaces, section, Projector(editor.camera(), editor.viewport),
+                             4 * editor.pixel_scale);
+  view_.emplace(View{editor.camera(), editor.viewport, section, std::move(surfaces), std::move(occlusion)});
+}
+
+std::vector<SceneObject> shown_surfaces(const Editor& editor) {
+  std::vector<SceneObject> out;
+  for (const auto& object : editor.document().objects) {
+    const SurfaceView* shown = editor.view_of(object->id);
+    // A surface that is not that of the present document must not keep it from being mended.
+    if (!object->visible || !object->display.surface || !object->has_surface() || !shown || !shown->mesh ||
+        shown->error)
+      continue;
+    for (const Similarity& place : places_of(*object)) {
+      SceneObject& surface = out.emplace_back();
+      surface.mesh = shown->mesh;
+      surface.transform = matrix_of(place);
+    }
+  }
   return out;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <span>
+#include <variant>
 
 #include "core/geometry/polygon.hpp"
 #include "ui/editor/skin_view.hpp"
@@ -11,7 +12,7 @@ namespace hariko {
 
 namespace {
 
-constexpr int samples_of_span = 16;  ///< of subdivision curves
+constexpr int samples_of_span = 16;  ///< samples of subdivision curves
 
 /// The middle of a curve as the surface has it, of which the mesh is a picture; in the object's space.
 /// `parameters`: of the mesh's pattern.
@@ -60,11 +61,30 @@ SnapPlaces::SnapPlaces(const ToolContext& context, const SnapSettings& kinds) {
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
     const Object* object = document.find(context.scene.object_id(i));
     if (!object || !object->visible || scene.objects[i].copy) continue;
-    if (object->cage()) add_cage(context, i, *object, kinds);
-    if (object->solids()) add_solids(context, i, *object, kinds);
-    if (object->skin()) add_skin(*object, kinds);
-    if (object->outline()) add_outline(*object, kinds);
+    add_object(context, i, *object, kinds);
   }
+}
+
+void SnapPlaces::add_object(const ToolContext& context, std::size_t scene_object, const Object& object,
+                            const SnapSettings& kinds) {
+  struct Adding {
+    SnapPlaces& places;
+    const ToolContext& context;
+    std::size_t scene_object;
+    const Object& object;
+    const SnapSettings& kinds;
+    void operator()(const PolyhedronSource&) const { places.add_cage(context, scene_object, object, kinds); }
+    void operator()(const PatchSource&) const { places.add_cage(context, scene_object, object, kinds); }
+    void operator()(const SolidsSource&) const { places.add_solids(context, scene_object, object, kinds); }
+    void operator()(const SkinSource&) const { places.add_skin(object, kinds); }
+    void operator()(const OutlineSource&) const { places.add_outline(object, kinds); }
+    // Caught on their surfaces alone, or not at all.
+    void operator()(const MeshSource&) const {}
+    void operator()(const BezierSource&) const {}
+    void operator()(const PictureSource&) const {}
+    void operator()(const UnknownSource&) const {}
+  };
+  std::visit(Adding{*this, context, scene_object, object, kinds}, object.source);
 }
 
 SnapPlaces::Held SnapPlaces::hold(ObjectId object, std::initializer_list<VertexId> vertices) {

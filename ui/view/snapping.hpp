@@ -2,8 +2,8 @@
 
 // Snapping: places that a drag or a drawing jumps to.
 
+#include <memory>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "core/geometry/curve_places.hpp"
@@ -33,9 +33,9 @@ bool snaps_now(const Editor& editor, bool control);
 /// Search for a target: its kinds, and the gesture that asks.
 struct SnapGesture {
   SnapSettings kinds;
-  std::optional<Vector3> from = std::nullopt;  ///< where it began; without it nothing is perpendicular
+  std::optional<Vector3> from = std::nullopt;  ///< its beginning; without it nothing is perpendicular
   Vector3 normal = Vector3::UnitZ();           ///< tangents are meant as seen along it
-  const TransformTarget* moving = nullptr;     ///< what moves is not caught; null: nothing moves
+  const TransformTarget* moving = nullptr;     ///< target not caught, as it moves; null: nothing moves
 };
 
 /// Places that can be caught, as they are when a gesture begins, so that where it snaps does not depend on
@@ -80,6 +80,9 @@ class SnapPlaces {
   Held hold(ObjectId object, const std::vector<VertexId>& vertices);
   bool stands(const SnapGesture& gesture, const Held& held) const;
 
+  /// Adds the places of an object, by its kind.
+  void add_object(const ToolContext& context, std::size_t scene_object, const Object& object,
+                  const SnapSettings& kinds);
   void add_cage(const ToolContext& context, std::size_t scene_object, const Object& object,
                 const SnapSettings& kinds);
   void add_edges(const ToolContext& context, std::size_t scene_object, const Object& object,
@@ -122,5 +125,31 @@ Vector3 on_grid(const ToolContext& context, const PlaneFrame& plane, const Vecto
 /// the horizon, where places run away from the pointer, and behind the eye.
 std::optional<Vector3> point_on_plane(const ToolContext& context, const PlaneFrame& plane, const Ray& ray,
                                       bool snaps);
+
+/// A value; copies share the places.
+class SnapCatcher {
+ public:
+  /// Call before anything is caught: collects the places anew where the document, a surface or the kinds are
+  /// others.
+  void update(const ToolContext& context);
+  /// The place under a pixel, of the kinds of the settings; nothing but the grid: see `SnapPlaces`. `from`:
+  /// where the gesture began; `normal`: of the plane that is drawn in.
+  std::optional<SnapTarget> find(const ToolContext& context, const Vector2& pixel,
+                                 const std::optional<Vector3>& from, const Vector3& normal) const;
+
+  /// Collected places; null before the first update.
+  const SnapPlaces* places() const { return places_.get(); }
+
+ private:
+  std::shared_ptr<const SnapPlaces> places_;
+  SnapSettings kinds_;
+  // Document and settings that the places were collected from.
+  std::uint64_t document_ = 0, serial_ = 0;
+  std::vector<std::shared_ptr<const DisplayMesh>> meshes_;
+};
+
+/// Draws the mark of what was caught, one shape for each kind, and its name above it.
+void draw_snap_target(const ToolContext& context, const ToolOverlay& overlay, const SnapTarget& target,
+                      bool warning = false);
 
 }  // namespace hariko

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "ui/editor/object_kind.hpp"
 #include "ui/editor/reference_pictures.hpp"
-#include "ui/editor/solids_display.hpp"
 
 namespace hariko {
 
@@ -26,37 +26,37 @@ std::vector<PickHit> pick_elements(const ToolContext& context, const Vector2& pi
     options.use_surface = false;
     hits = pick_all(scene, context.projector(), pixel, options);
   }
-  // Of faces one behind the other only the first can be seen.
+  // Only the first of faces one behind the other can be seen.
   if (options.faces && options.visible_only && hits.size() > 1) hits.resize(1);
   return hits;
 }
 
-/// Solids are picked by their lines, else by their faces, which the surface round them does not hide.
-std::vector<ElementRef> solids_under(const ToolContext& context, const Vector2& pixel) {
+/// Bodies are picked by their lines, else by their faces, which the surface round them does not hide.
+std::vector<ElementRef> bodies_under(const ToolContext& context, const Vector2& pixel) {
   const Scene& scene = context.scene.scene();
-  Scene solids;
-  solids.section = scene.section;
-  solids.pixel_scale = scene.pixel_scale;
-  std::vector<ElementRef> refs;  ///< one an object of the scene of solids
+  Scene bodies;
+  bodies.section = scene.section;
+  bodies.pixel_scale = scene.pixel_scale;
+  std::vector<ElementRef> refs;  ///< one an object of the scene of bodies
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
     const Object* object = context.editor.document().find(context.scene.object_id(i));
-    if (!object || !object->solids() || !scene.objects[i].show_polyhedron || scene.objects[i].copy) continue;
+    if (!object || !scene.objects[i].show_polyhedron || scene.objects[i].copy) continue;
     // One by one, as of the faces of one object only the first is found.
-    for (const Solid& solid : object->solids()->input->solids) {
-      solids.objects.push_back(scene.objects[i]);
-      solids.objects.back().mesh.reset();
-      solids.objects.back().polyhedron = display_of(SolidsSource{EnvelopeInput{{solid}, {}}, {}});
-      refs.push_back({object->id, element_of(VertexId{solid.id})});
+    for (const ObjectBody& body : object_kind(*object).bodies(*object)) {
+      bodies.objects.push_back(scene.objects[i]);
+      bodies.objects.back().mesh.reset();
+      bodies.objects.back().polyhedron = body.polyhedron;
+      refs.push_back({object->id, body.element});
     }
   }
   std::vector<ElementRef> result;
   if (refs.empty()) return result;
   PickOptions options;
   options.vertices = options.edges = options.visible_only = options.use_surface = false;
-  auto hits = pick_all(solids, context.projector(), pixel, options);
+  auto hits = pick_all(bodies, context.projector(), pixel, options);
   options.faces = false;
   options.edges = true;
-  const auto lines = pick_all(solids, context.projector(), pixel, options);
+  const auto lines = pick_all(bodies, context.projector(), pixel, options);
   hits.insert(hits.begin(), lines.begin(), lines.end());
   for (const PickHit& hit : hits)
     if (std::find(result.begin(), result.end(), refs[hit.object]) == result.end())
@@ -88,7 +88,7 @@ std::vector<ElementRef> elements_under(const ToolContext& context, const Vector2
     }
     if (std::find(result.begin(), result.end(), ref) == result.end()) result.push_back(ref);
   }
-  if (editor.mode != ElementMode::object && result.empty()) return solids_under(context, pixel);
+  if (editor.mode != ElementMode::object && result.empty()) return bodies_under(context, pixel);
   if (editor.mode == ElementMode::object)
     for (const ObjectId id : pictures_under(editor, context.projector(), pixel))
       result.push_back({id, element_of(id)});

@@ -24,13 +24,13 @@ struct PointerEvent {
   PointerButton button = PointerButton::left;
   Vector2 pixel = Vector2::Zero();  ///< framebuffer pixels from the viewport's upper left corner
   bool shift = false, control = false, alt = false;
-  int clicks = 1;  ///< of a press: 2 for the second of a double click
+  int clicks = 1;  ///< count of a press: 2 for the second of a double click
 
   /// The left button without modifiers: with them a press is for the selection or for the view.
   bool plain_left() const { return button == PointerButton::left && !shift && !control && !alt; }
 };
 
-/// What a tool may look at and change.
+/// Context of a tool: what it may look at and change.
 struct ToolContext {
   Editor& editor;
   const SceneBuilder& scene;
@@ -40,7 +40,15 @@ struct ToolContext {
 
 enum class ToolState { stay, commit, cancel };
 
-/// Where a tool draws over the picture: ImGui's list and the viewport's upper left corner in window pixels.
+/// Answer of a tool to a key that it does not use: letters would run commands in the middle of the gesture,
+/// others go on to what else takes them.
+inline std::optional<ToolState> unused_key(const KeyPress& press) {
+  if (press.chord.control || press.chord.alt || press.text == 0) return std::nullopt;
+  return ToolState::stay;
+}
+
+/// Overlay on the picture that a tool draws: ImGui's list and the viewport's upper left corner in window
+/// pixels.
 struct ToolOverlay {
   ImDrawList& list;
   ImVec2 corner;
@@ -64,8 +72,8 @@ class Tool {
   virtual bool wheel(ToolContext&, double /*steps*/, const PointerEvent&) { return false; }
   /// Draws over the picture: the value that is dragged, a rectangle, a gizmo.
   virtual void draw(const ToolContext&, const ToolOverlay&) const {}
-  /// Esc, or the window lost the pointer: everything is as it was before `begin`.
-  virtual void cancel(ToolContext& context) = 0;
+  /// Esc, or the window lost the pointer: everything is as it was before `begin`, without the preview.
+  virtual void cancel(ToolContext& context) { context.editor.cancel_preview(); }
   /// For the status line: the value and the tool's keys.
   virtual std::string hint(const Language& tr) const = 0;
   /// The tool that takes over at once after `commit`; it gets the same press and then the present move.
@@ -75,7 +83,7 @@ class Tool {
 /// Design pixels (`Editor::pixel_scale`) that the pointer must move before a press becomes a drag.
 inline constexpr double drag_threshold = 3;
 
-/// What a click would take, by the element mode; in object mode the front-most face or edge.
+/// Element that a click would take, by the element mode; in object mode the front-most face or edge.
 std::optional<PickHit> pick_element(const ToolContext& context, const Vector2& pixel);
 /// All that a click could take, nearest first.
 std::vector<ElementRef> elements_under(const ToolContext& context, const Vector2& pixel);
@@ -90,5 +98,41 @@ std::unique_ptr<Tool> make_axis_gizmo_tool(std::optional<StandardView> side);
 /// The tool for a press: what the navigation preset of the settings says, else left selects and drags.
 /// Nothing for presses without a meaning.
 std::unique_ptr<Tool> tool_for(const Editor& editor, const PointerEvent& press);
+
+/// Base of tools that say at the pointer why what was done last is refused.
+class SpeakingTool : public Tool {
+ protected:
+  /// Says why, in English or as an error; the tool goes on.
+  ToolState refuse(const ToolContext& context, const Phrase& why) {
+    error_ = context.editor.language(why);
+    return ToolState::stay;
+  }
+  ToolState refuse(const ToolContext& context, const Message& why) {
+    error_ = context.editor.language.text_of(why);
+    return ToolState::stay;
+  }
+
+  Vector2 pointer_ = Vector2::Zero();  ///< framebuffer pixels
+  std::string error_;                  ///< in the language of the interface; empty while nothing is refused
+};
+
+/// Base of modal tools.
+class ModalTool : public SpeakingTool {
+ public:
+  bool modal() const override { return true; }
+};
+
+/// Base of modal tools that find out what is under the pointer.
+class PointingTool : public ModalTool {
+ public:
+  void begin(ToolContext& context, const PointerEvent& press) override {
+    pointer_ = press.pixel;
+    look(context);
+  }
+
+ protected:
+  /// Finds what is under `pointer_`.
+  virtual void look(const ToolContext& context) = 0;
+};
 
 }  // namespace hariko

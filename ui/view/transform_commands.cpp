@@ -4,7 +4,7 @@
 
 #include "ui/base/icons.hpp"
 #include "ui/editor/command_host.hpp"
-#include "ui/view/transform_scripts.hpp"
+#include "ui/view/command_scripts.hpp"
 #include "ui/view/transform_tool.hpp"
 #include "ui/view/viewport.hpp"
 
@@ -21,7 +21,7 @@ Reason nothing_to_transform(const Editor& editor) {
   const char* fixed = translatable("What is selected is hidden or locked.");
   if (editor.mode == ElementMode::object) {
     const auto objects = selected_objects(editor);
-    if (std::any_of(objects.begin(), objects.end(), changes)) return {};
+    if (std::ranges::any_of(objects, changes)) return {};
     return objects.empty() ? translatable("No object is selected. Click one.") : fixed;
   }
   for (const auto& entry : editor.selection.elements())
@@ -35,17 +35,14 @@ void add_tools(CommandHost& host) {
   Viewport& viewport = host.viewport;
   const auto tool = [&](const char* id, const char* label, const char* help, const char* keys,
                         const char* symbol, TransformKind kind) {
-    host.table.add({.id = id,
-                    .menu = "Transform",
-                    .label = label,
-                    .help = help,
-                    .keys = keys,
-                    .icon = symbol,
-                    .changes_document = true,
-                    .needs_window = true,
-                    .run = [&viewport, kind] { viewport.start_modal(make_transform_tool(kind)); },
-                    .why_not = [&editor] { return nothing_to_transform(editor); },
-                    .script = transform_in_scripts(editor, kind)});
+    MenuRows(host.table, "Transform")
+        .add_edit(
+            id, label, help, [&viewport, kind] { viewport.start_modal(make_transform_tool(kind)); },
+            [&editor] { return nothing_to_transform(editor); },
+            {.keys = keys,
+             .icon = symbol,
+             .needs_window = true,
+             .script = transform_in_scripts(editor, kind)});
   };
   tool("transform.move", "Move", "Move the selection with the pointer or by typed lengths.", "G", icon::pan,
        TransformKind::move);
@@ -58,43 +55,24 @@ void add_tools(CommandHost& host) {
 void add_switches(CommandHost& host) {
   Editor& editor = host.editor;
   TransformSettings& settings = editor.transform;
-  host.table.add(switching({.id = "transform.gizmo",
-                            .menu = "Transform",
-                            .label = "Gizmo",
-                            .help = "Show handles at the selection that move, turn and scale it.",
-                            .keys = "Shift+W",
-                            .separator_before = true},
-                           settings.gizmo));
-  host.table.add(
-      switching({.id = "transform.local",
-                 .menu = "Transform",
-                 .label = "Local axes",
-                 .help = "The handles follow the axes of the object instead of those of the document.",
-                 .keys = "Alt+L"},
-                settings.local_axes));
-  host.table.add(switching(
-      {.id = "transform.local_edit",
-       .menu = "Transform",
-       .label = "Local editing",
-       .help = "Vertices change the faces round them only: tangents there are fixed, and turning or scaling "
-               "changes the tangent plane.",
-       .keys = "Shift+O"},
-      settings.local_edit));
-  host.table.add(switching(
-      {.id = "transform.soft",
-       .menu = "Transform",
-       .label = "Soft selection",
-       .help = "Vertices near the selection follow in part. The wheel changes the radius while dragging.",
-       .keys = "O",
-       .separator_before = true},
-      settings.soft.on));
+  MenuRows rows(host.table, "Transform");
+  rows.add_switch("transform.gizmo", "Gizmo", "Show handles at the selection that move, turn and scale it.",
+                  settings.gizmo, {.keys = "Shift+W", .separator_before = true});
+  rows.add_switch("transform.local", "Local axes",
+                  "The handles follow the axes of the object instead of those of the document.",
+                  settings.local_axes, {.keys = "Alt+L"});
+  rows.add_switch(
+      "transform.local_edit", "Local editing",
+      "Vertices change the faces round them only: tangents there are fixed, and turning or scaling changes "
+      "the tangent plane.",
+      settings.local_edit, {.keys = "Shift+O"});
+  rows.add_switch("transform.soft", "Soft selection",
+                  "Vertices near the selection follow in part. The wheel changes the radius while dragging.",
+                  settings.soft.on, {.keys = "O", .separator_before = true});
   const auto falloff = [&](const char* id, const char* label, Falloff value) {
-    host.table.add({.id = id,
-                    .menu = "Transform",
-                    .label = label,
-                    .help = "How the influence of the soft selection fades with the distance.",
-                    .run = [&settings, value] { settings.soft.falloff = value; },
-                    .checked = [&settings, value] { return settings.soft.falloff == value; }});
+    rows.add(id, label, "How the influence of the soft selection fades with the distance.",
+             [&settings, value] { settings.soft.falloff = value; }, {},
+             {.checked = [&settings, value] { return settings.soft.falloff == value; }});
   };
   falloff("transform.falloff_smooth", "Smooth falloff", Falloff::smooth);
   falloff("transform.falloff_linear", "Linear falloff", Falloff::linear);
@@ -103,16 +81,11 @@ void add_switches(CommandHost& host) {
 
 void add_pivots(CommandHost& host) {
   TransformSettings& settings = host.editor.transform;
-  bool first = true;
+  MenuRows rows(host.table, "Transform");
+  rows.next_group();
   const auto pivot = [&](const char* id, const char* label, const char* help, PivotMode value) {
-    host.table.add({.id = id,
-                    .menu = "Transform",
-                    .label = label,
-                    .help = help,
-                    .separator_before = first,
-                    .run = [&settings, value] { settings.pivot = value; },
-                    .checked = [&settings, value] { return settings.pivot == value; }});
-    first = false;
+    rows.add(id, label, help, [&settings, value] { settings.pivot = value; }, {},
+             {.checked = [&settings, value] { return settings.pivot == value; }});
   };
   pivot("transform.pivot_median", "Pivot: median", "Turn and scale about the mean of the selected points.",
         PivotMode::median);

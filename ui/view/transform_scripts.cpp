@@ -1,6 +1,4 @@
-#include "ui/view/transform_scripts.hpp"
-
-#include <utility>
+#include "ui/view/command_scripts.hpp"
 
 namespace hariko {
 

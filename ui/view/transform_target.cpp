@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <map>
 #include <set>
+#include <variant>
 
 #include "core/base/disjoint_sets.hpp"
 #include "core/document/edits/edit_attachments.hpp"
@@ -15,6 +16,7 @@
 #include "core/modeling/surfacing/local_edit.hpp"
 #include "core/skinning/edit/edit_path.hpp"
 #include "core/skinning/edit/edit_section.hpp"
+#include "core/skinning/sections/section_frame.hpp"
 #include "ui/editor/object_kind.hpp"
 #include "ui/editor/outlines.hpp"
 #include "ui/editor/skin_edits.hpp"
@@ -81,13 +83,10 @@ TransformTarget TransformTarget::of(const Editor& editor) {
       target.document_ = with_seen_ends(target.document_, id);
       const Object* object = target.document_.find(id);
       if (!object || !object->visible || object->locked) continue;
-      if (object->cage()) target.add_elements(*object, elements);
-      if (object->solids()) target.add_solids(*object, elements);
-      if (object->outline()) target.add_points(*object, elements);
-      if (object->skin()) target.add_skin_points(*object, elements);
+      target.add_selected(*object, elements);
     }
-    const bool solids = std::all_of(target.parts_.begin(), target.parts_.end(),
-                                    [](const Part& part) { return !part.solids.empty(); });
+    const bool solids =
+        std::ranges::all_of(target.parts_, [](const Part& part) { return !part.solids.empty(); });
     target.what_ = solids ? counted(target.selected_.size(), "solid", "solids")
                           : counted(target.selected_.size(), "vertex", "vertices");
   }
@@ -114,10 +113,9 @@ TransformTarget TransformTarget::of_objects(const Editor& editor, Document docum
 }
 
 void TransformTarget::freeze() {
-  // Control nets of patches have vertices, too, but no tangents to keep.
   for (Part& part : parts_)
-    if (const PolyhedronSource* source = document_.find(part.object)->polyhedron())
-      part.frozen = freeze_tangents(*source, vertices_around(source->polyhedron, part.vertices));
+    if (part.tangents)
+      part.frozen = freeze_tangents(*part.tangents, vertices_around(*part.polyhedron, part.vertices));
   if (parts_.size() != 1 || parts_[0].vertices.size() != 1 || !parts_[0].frozen || !*parts_[0].frozen) return;
   const Part& part = parts_[0];
   const Pin* pin = (*part.frozen)->shaping->pin.find(part.vertices[0]);
@@ -146,13 +144,38 @@ void TransformTarget::add_object(const Object& object) {
   parts_.push_back(std::move(part));
 }
 
-void TransformTarget::add_elements(const Object& object, const ElementSelection& elements) {
+void TransformTarget::add_selected(const Object& object, const ElementSelection& elements) {
+  struct Adding {
+    TransformTarget& target;
+    const Object& object;
+    const ElementSelection& elements;
+    void operator()(const PolyhedronSource& source) const { target.add_elements(object, elements, &source); }
+    void operator()(const PatchSource&) const { target.add_elements(object, elements, nullptr); }
+    void operator()(const SolidsSource&) const { target.add_solids(object, elements); }
+    void operator()(const SkinSource& source) const {
+      target.add_points(object, elements, nullptr, &*source.skin);
+    }
+    void operator()(const OutlineSource& source) const {
+      target.add_points(object, elements, &*source.outline, nullptr);
+    }
+    // Without elements.
+    void operator()(const MeshSource&) const {}
+    void operator()(const BezierSource&) const {}
+    void operator()(const PictureSource&) const {}
+    void operator()(const UnknownSource&) const {}
+  };
+  std::visit(Adding{*this, object, elements}, object.source);
+}
+
+void TransformTarget::add_elements(const Object& object, const ElementSelection& elements,
+                                   const PolyhedronSource* tangents) {
   const Polyhedron& cage = *object.cage();
   Part part;
   part.object = object.id;
   part.transform = object.transform;
   part.origin = object.cage_origin();
   part.polyhedron = &cage;
+  part.tangents = tangents;
   part.vertices = touched_vertices(elements, cage);
   part.selected = part.vertices.size();
   for (const VertexId id : part.vertices) {
@@ -176,31 +199,15 @@ void TransformTarget::add_solids(const Object& object, const ElementSelection& e
   if (!part.solids.empty()) parts_.push_back(std::move(part));
 }
 
-void TransformTarget::add_points(const Object& object, const ElementSelection& elements) {
+void TransformTarget::add_points(const Object& object, const ElementSelection& elements,
+                                 const Outline* outline, const Skin* skin) {
   Part part;
   part.object = object.id;
   part.transform = object.transform;
-  part.outline = &*object.outline()->outline;
-  for (const VertexId id : elements.vertices) {
-    if (id.value >= part.outline->point_count()) continue;
-    const OutlinePoint at = outline_point(*part.outline, id.value);
-    part.vertices.push_back(id);
-    part.start.push_back(part.outline->loops[at.loop].points[at.place]);
-    selected_.push_back(object.transform.apply(part.start.back()));
-  }
-  if (part.vertices.empty()) return;
-  part.selected = part.vertices.size();
-  part.weight.assign(part.selected, 1);
-  parts_.push_back(std::move(part));
-}
-
-void TransformTarget::add_skin_points(const Object& object, const ElementSelection& elements) {
-  Part part;
-  part.object = object.id;
-  part.transform = object.transform;
-  part.skin = &*object.skin()->skin;
+  part.outline = outline;
+  part.skin = skin;
   for (const VertexId id : elements.vertices)
-    if (const auto at = skin_point(*part.skin, id.value)) {
+    if (const auto at = object_kind(object).place(object, element_of(id))) {
       part.vertices.push_back(id);
       part.start.push_back(*at);
       selected_.push_back(object.transform.apply(*at));
@@ -253,7 +260,7 @@ bool TransformTarget::stands(ObjectId object, VertexId vertex) const {
 }
 
 bool TransformTarget::changes(ObjectId object) const {
-  return std::any_of(parts_.begin(), parts_.end(), [&](const Part& part) { return part.object == object; });
+  return std::ranges::any_of(parts_, [&](const Part& part) { return part.object == object; });
 }
 
 void TransformTarget::follow(double radius, Falloff kind) {
@@ -434,6 +441,53 @@ std::vector<ObjectId> selected_objects(const Editor& editor) {
   for (const ObjectId id : editor.selection.objects())
     if (document.find(id)) result.push_back(id);
   return result;
+}
+
+std::vector<ObjectId> active_and_selected(const Editor& editor) {
+  std::vector<ObjectId> objects = selected_objects(editor);
+  const auto active = std::find(objects.begin(), objects.end(), editor.selection.active);
+  if (active != objects.end()) std::rotate(objects.begin(), active, active + 1);
+  return objects;
+}
+
+void TransformTarget::choose_planes() {
+  const auto of_sections = [](const Part& part) {
+    return part.skin &&
+           std::ranges::none_of(part.vertices, [](VertexId id) { return is_path_point(id.value); });
+  };
+  if (!std::ranges::all_of(parts_, of_sections)) return;
+  std::optional<Matrix3> first, axes;  // in the document's space
+  int count = 0;
+  for (Part& part : parts_) {
+    const Matrix3 place = part.transform.rotation.toRotationMatrix();
+    part.turns.assign(part.vertices.size(), Matrix3::Identity());
+    std::vector<Vector3> middles = part.pivots;
+    for (const SkinSection& section : part.skin->sections) {
+      std::vector<std::size_t> chosen;
+      std::vector<Vector3> points;
+      for (std::size_t i = 0; i < part.vertices.size(); ++i)
+        if (find_point(section, part.vertices[i].value) >= 0) {
+          chosen.push_back(i);
+          points.push_back(part.start[i]);
+        }
+      if (chosen.empty()) continue;
+      const Vector3 direction = place * section_direction_of_view(*part.skin, section);
+      axes = axes ? carried_axes(*axes, direction) : upright_axes(direction);
+      if (!first) first = axes;
+      ++count;
+      Vector3 middle = Vector3::Zero();
+      for (const Vector3& point : points) middle += point / double(points.size());
+      for (const std::size_t i : chosen) {
+        part.turns[i] = place.transpose() * *axes * first->transpose() * place;
+        middles[i] = middle;
+      }
+    }
+    // One section has the pivot that was chosen.
+    if (count > 1 || parts_.size() > 1) part.pivots = std::move(middles);
+  }
+  if (!first) return;
+  local_frame_ = *first;
+  in_planes_ = true;
 }
 
 }  // namespace hariko

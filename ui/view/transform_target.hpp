@@ -65,15 +65,17 @@ class TransformTarget {
     bool whole = false;
     Similarity transform;
     Vector3 origin = Vector3::Zero();
-    Vector3 pivot = Vector3::Zero();  ///< of whole objects
-    std::vector<Solid> solids;        ///< of an object with solids, as they were; nothing else then
-    // Of elements: positions relative to the origin.
+    Vector3 pivot = Vector3::Zero();  ///< pivot of whole objects
+    std::vector<Solid> solids;        ///< those of an object with solids, as they were; nothing else then
+    // Positions of elements, relative to the origin.
     std::vector<VertexId> vertices;
     std::vector<Vector3> start, pivots;  ///< pivots: relative to the origin too
     std::vector<double> weight;
     std::size_t selected = 0;  ///< vertices of the selection itself; the others follow
     // All vertices of the object, for followers.
     const Polyhedron* polyhedron = nullptr;
+    /// Source with the tangents that a local edit keeps; null for control nets, which have vertices alone.
+    const PolyhedronSource* tangents = nullptr;
     const Outline* outline = nullptr;  ///< in the place of the polyhedron: its points are the vertices
     const Skin* skin = nullptr;        ///< likewise: points of its sections and of its path
     /// One a vertex, from the plane of the first section to that of its own; empty where there are others
@@ -85,10 +87,12 @@ class TransformTarget {
   };
 
   void add_object(const Object& object);
-  void add_elements(const Object& object, const ElementSelection& elements);
+  /// Adds what is selected of an object, as its kind is moved.
+  void add_selected(const Object& object, const ElementSelection& elements);
+  void add_elements(const Object& object, const ElementSelection& elements, const PolyhedronSource* tangents);
   void add_solids(const Object& object, const ElementSelection& elements);
-  void add_points(const Object& object, const ElementSelection& elements);
-  void add_skin_points(const Object& object, const ElementSelection& elements);
+  void add_points(const Object& object, const ElementSelection& elements, const Outline* outline,
+                  const Skin* skin);
   void choose_planes();
   void choose_pivot(const Editor& editor);
   void choose_own_pivots(const Editor& editor);
@@ -115,5 +119,7 @@ class TransformTarget {
 
 /// Objects that commands on objects act on: those selected in object mode, else the active one.
 std::vector<ObjectId> selected_objects(const Editor& editor);
+/// The same, the active one first: the others go into it.
+std::vector<ObjectId> active_and_selected(const Editor& editor);
 
 }  // namespace hariko

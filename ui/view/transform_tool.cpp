@@ -9,7 +9,6 @@
 #include "core/document/length_units.hpp"
 #include "ui/editor/operations.hpp"
 #include "ui/view/overlay_drawing.hpp"
-#include "ui/view/transform_repeat.hpp"
 
 namespace hariko {
 
@@ -90,7 +89,7 @@ void TransformTool::restart(ToolContext& context, TransformKind kind) {
   PointerEvent at;
   at.pixel = pointer_;
   auto next = std::make_unique<TransformTool>(kind, by_ == DrivenBy::typing ? by_ : DrivenBy::command);
-  next->places_ = std::move(places_);  // what the scene shows now is the preview
+  next->places_ = std::move(places_);  // the scene shows the preview now
   next->made_ = made_;
   context.editor.cancel_preview();
   successor_ = std::move(next);
@@ -155,7 +154,7 @@ void TransformTool::keep_through_view_change(const ToolContext& context, const V
 Vector3 TransformTool::dragged(const ToolContext& context) const {
   Vector3 translation =
       base_move_ + drag_vector(context.projector(), lock_, frame(), anchor_ + base_move_, from_, at_);
-  // What was reached before under another lock counts as far as this one allows.
+  // Ways made before under another lock count as far as this one allows.
   if (lock_.kind == AxisLock::Kind::free) return translation;
   Vector3 local = frame().transpose() * translation;
   for (int i = 0; i < 3; ++i)
@@ -286,10 +285,7 @@ ToolState TransformTool::show(ToolContext& context, bool confirmed) {
   }
   done_ = transformation(context);
   error_.clear();
-  if (const auto error = input_.error()) {
-    error_ = editor.language.text_of(*error);
-    return ToolState::stay;
-  }
+  if (const auto error = input_.error()) return refuse(context, *error);
   const auto result = target_.apply(made_ ? made_->document : editor.history.current(), done_, lock_.local);
   if (result) {
     editor.preview(result);
@@ -297,10 +293,7 @@ ToolState TransformTool::show(ToolContext& context, bool confirmed) {
     return ToolState::stay;
   }
   // Nothing can be done about a lock here; a number that leads too far can be corrected.
-  if (shown_ || input_.active()) {
-    error_ = editor.language.text_of(result.error());
-    return ToolState::stay;
-  }
+  if (shown_ || input_.active()) return refuse(context, result.error());
   editor.notify(result.error());
   editor.cancel_preview();
   return ToolState::cancel;
@@ -324,7 +317,7 @@ ToolState TransformTool::confirm(ToolContext& context) {
 std::optional<ToolState> TransformTool::key(ToolContext& context, const KeyPress& press) {
   if (target_.empty()) return std::nullopt;
   const int key = press.chord.key;
-  if (key == GLFW_KEY_ENTER || key == GLFW_KEY_KP_ENTER) return confirm(context);
+  if (key == GLFW_KEY_ENTER) return confirm(context);
   if (input_.key(press)) return show(context);
   if (lock_key(press)) {
     input_.resize(fields());

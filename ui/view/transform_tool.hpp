@@ -17,8 +17,8 @@ namespace hariko {
 
 enum class TransformKind { move, rotate, scale };
 
-/// How a transform tool is driven: by a command (the pointer moves freely), by dragging an element or a
-/// handle with a button down, or by typing alone.
+/// Drives of a transform tool: by a command (the pointer moves freely), by dragging an element or a handle
+/// with a button down, or by typing alone.
 enum class DrivenBy { command, element, handle, typing };
 
 /// Objects that a command has just made: they join the document with the tool's step, and not at all where
@@ -31,7 +31,7 @@ struct NewObjects {
   std::function<void(Editor&, const Document& before, const TransformTarget&, const Transformation&)> moved;
 };
 
-class TransformTool final : public Tool {
+class TransformTool final : public SpeakingTool {
  public:
   explicit TransformTool(TransformKind kind, DrivenBy by = DrivenBy::command, AxisLock lock = {})
       : kind_(kind), by_(by), lock_(lock) {}
@@ -45,7 +45,6 @@ class TransformTool final : public Tool {
   std::optional<ToolState> key(ToolContext& context, const KeyPress& press) override;
   bool wheel(ToolContext& context, double steps, const PointerEvent& event) override;
   void draw(const ToolContext& context, const ToolOverlay& overlay) const override;
-  void cancel(ToolContext& context) override { context.editor.cancel_preview(); }
   std::string hint(const Language& tr) const override;
   std::unique_ptr<Tool> successor() override { return std::move(successor_); }
 
@@ -84,24 +83,23 @@ class TransformTool final : public Tool {
   AxisLock lock_;
   std::shared_ptr<const NewObjects> made_;  ///< null: what is selected is transformed
   TransformTarget target_;
-  std::optional<SnapPlaces> places_;  ///< that a move can jump to
+  std::optional<SnapPlaces> places_;  ///< places that a move can jump to
   NumericInput input_;
   std::unique_ptr<Tool> successor_;
 
   // The pointer: where it pressed and is, in pixels that count a tenth while Shift is down.
-  Vector2 from_ = Vector2::Zero(), at_ = Vector2::Zero(), pointer_ = Vector2::Zero();
+  Vector2 from_ = Vector2::Zero(), at_ = Vector2::Zero();
   bool moved_ = false, fine_ = false, snapping_ = false;
   Vector3 anchor_ = Vector3::Zero();  ///< the grabbed point, in the document's space
   Vector3 source_ = Vector3::Zero();  ///< the selected point that snaps to others
-  // What was reached before the view changed last.
+  // Transformation reached before the view changed last.
   Camera camera_;
   Vector3 base_move_ = Vector3::Zero();
   double base_ratio_ = 1;
   double screen_degrees_ = 0;  ///< counter-clockwise on the screen
 
-  Transformation done_;  ///< what is shown
+  Transformation done_;  ///< transformation that is shown
   std::optional<SnapTarget> snap_;
-  std::string error_;
   bool shown_ = false;
   std::string length_unit_;
   int decimals_ = 3;
@@ -111,5 +109,20 @@ std::unique_ptr<Tool> make_transform_tool(TransformKind kind, DrivenBy by = Driv
                                           AxisLock lock = {});
 /// Moves objects that a command has just made.
 std::unique_ptr<Tool> make_transform_tool(NewObjects made);
+
+/// A step that a transform tool has made.
+struct DoneTransform {
+  std::string verb;                    ///< "Move": its label begins with it
+  Matrix3 axes = Matrix3::Identity();  ///< the local axes then
+  Transformation transformation;
+  bool local = false;  ///< it was made along the local axes, and is repeated along those of what is selected
+};
+
+/// Steps of a script that transform what is selected like this, softly where the editor does; empty where
+/// scripts have no words for it, such as a turn about the direction of the view.
+std::vector<WrittenCommand> written_transform(const Editor& editor, const DoneTransform& done);
+
+/// Lets the last step of the editor be repeated as this one, and written in a script.
+void remember_transform(Editor& editor, const DoneTransform& done);
 
 }  // namespace hariko

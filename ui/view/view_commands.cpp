@@ -1,7 +1,5 @@
 // Commands that change how the model is seen.
 
-#include <utility>
-
 #include "ui/base/icons.hpp"
 #include "ui/editor/command_host.hpp"
 #include "ui/view/viewport.hpp"
@@ -10,11 +8,9 @@ namespace hariko {
 
 namespace {
 
-/// A row of the menu. Views may change while a tool runs.
-void add_view_row(CommandHost& host, Command row) {
-  row.menu = "View";
-  row.while_tool_runs = true;
-  host.table.add(std::move(row));
+/// Views may change while a tool runs.
+MenuRows rows_of_views(CommandHost& host) {
+  return {host.table, "View", true};
 }
 
 void keep_direction(Editor& editor) {
@@ -40,53 +36,36 @@ void show_surfaces_only(Editor& editor) {
 
 void add_framing_commands(CommandHost& host) {
   Editor& editor = host.editor;
+  MenuRows rows = rows_of_views(host);
   const WhyNot document = needs_document(editor);
-  add_view_row(host, {.id = "view.frame_all",
-                      .label = "Frame all",
-                      .help = "Show everything.",
-                      .keys = "Home",
-                      .icon = icon::frame,
-                      .run = [&editor] { editor.frame_all(); },
-                      .why_not = document});
-  add_view_row(host, {.id = "view.frame_all_views",
-                      .label = "Frame all in every view",
-                      .help = "Show everything in every view.",
-                      .keys = "Shift+Home",
-                      .run = [&editor] { editor.wants_framing = true; },
-                      .why_not = document});
-  add_view_row(host, {.id = "view.frame_selection",
-                      .label = "Frame selection",
-                      .help = "Come close to what is selected.",
-                      .keys = "F",
-                      .run = [&editor] { editor.frame_selection(); },
-                      .why_not = document});
-  add_view_row(host, {.id = "view.previous",
-                      .label = "Previous view",
-                      .help = "Back to where the camera was.",
-                      .run = [&editor] { editor.layout.active_view().go_back(editor.now); },
-                      .why_not = only_if(
-                          document, [&editor] { return editor.layout.active_view().can_go_back(); },
-                          translatable("The camera has not moved yet."))});
-  add_view_row(host, {.id = "view.next",
-                      .label = "Next view",
-                      .help = "Forward again to where the camera was.",
-                      .run = [&editor] { editor.layout.active_view().go_forward(editor.now); },
-                      .why_not = only_if(
-                          document, [&editor] { return editor.layout.active_view().can_go_forward(); },
-                          translatable("Nothing to go forward to: Previous view comes first."))});
+  rows.add("view.frame_all", "Frame all", "Show everything.", [&editor] { editor.frame_all(); }, document,
+           {.keys = "Home", .icon = icon::frame});
+  rows.add("view.frame_all_views", "Frame all in every view", "Show everything in every view.",
+           [&editor] { editor.wants_framing = true; }, document, {.keys = "Shift+Home"});
+  rows.add("view.frame_selection", "Frame selection", "Come close to what is selected.",
+           [&editor] { editor.frame_selection(); }, document, {.keys = "F"});
+  rows.add(
+      "view.previous", "Previous view", "Back to where the camera was.",
+      [&editor] { editor.layout.active_view().go_back(editor.now); },
+      only_if(
+          document, [&editor] { return editor.layout.active_view().can_go_back(); },
+          translatable("The camera has not moved yet.")));
+  rows.add(
+      "view.next", "Next view", "Forward again to where the camera was.",
+      [&editor] { editor.layout.active_view().go_forward(editor.now); },
+      only_if(
+          document, [&editor] { return editor.layout.active_view().can_go_forward(); },
+          translatable("Nothing to go forward to: Previous view comes first.")));
 }
 
 void add_side_commands(CommandHost& host) {
   Editor& editor = host.editor;
+  MenuRows rows = rows_of_views(host);
   const WhyNot document = needs_document(editor);
   const auto side = [&](const char* id, const char* label, const char* keys, StandardView view, bool first) {
-    add_view_row(host, {.id = id,
-                        .label = label,
-                        .help = "Look from this side.",
-                        .keys = keys,
-                        .separator_before = first,
-                        .run = [&editor, view] { editor.layout.active_view().look_from(view, editor.now); },
-                        .why_not = document});
+    rows.add(id, label, "Look from this side.",
+             [&editor, view] { editor.layout.active_view().look_from(view, editor.now); }, document,
+             {.keys = keys, .separator_before = first});
   };
   side("view.front", "Front", "Num 1", StandardView::front, true);
   side("view.back", "Back", "Ctrl+Num 1", StandardView::back, false);
@@ -95,47 +74,34 @@ void add_side_commands(CommandHost& host) {
   side("view.top", "Top", "Num 7", StandardView::top, false);
   side("view.bottom", "Bottom", "Ctrl+Num 7", StandardView::bottom, false);
   side("view.iso", "Three-quarter", "Num 0", StandardView::iso, false);
-  add_view_row(host, {.id = "view.orthographic",
-                      .label = "Orthographic",
-                      .help = "Parallel instead of perspective projection.",
-                      .keys = "Num 5",
-                      .separator_before = true,
-                      .run = [&editor] { editor.layout.active_view().toggle_orthographic(); },
-                      .why_not = document,
-                      .checked = [&editor] { return editor.camera().orthographic; }});
-  add_view_row(host, {.id = "view.lock",
-                      .label = "Keep direction",
-                      .help = "This view pans and zooms but does not turn.",
-                      .run = [&editor] { keep_direction(editor); },
-                      .why_not = document,
-                      .checked = [&editor] { return !editor.layout.active_view().turns; }});
+  rows.add("view.orthographic", "Orthographic", "Parallel instead of perspective projection.",
+           [&editor] { editor.layout.active_view().toggle_orthographic(); }, document,
+           {.keys = "Num 5", .separator_before = true, .checked = [&editor] {
+              return editor.camera().orthographic;
+            }});
+  rows.add("view.lock", "Keep direction", "This view pans and zooms but does not turn.",
+           [&editor] { keep_direction(editor); }, document,
+           {.checked = [&editor] { return !editor.layout.active_view().turns; }});
 }
 
 void add_arrangement_commands(CommandHost& host) {
   Editor& editor = host.editor;
+  MenuRows rows = rows_of_views(host);
   const WhyNot document = needs_document(editor);
   const auto arrange = [&](const char* id, const char* label, const char* help, const char* keys,
                            Arrangement arrangement, bool first) {
-    add_view_row(host,
-                 {.id = id,
-                  .label = label,
-                  .help = help,
-                  .keys = keys,
-                  .separator_before = first,
-                  .run = [&editor, arrangement] { arrange_views(editor, arrangement); },
-                  .why_not = document,
-                  .checked = [&editor, arrangement] { return editor.layout.arrangement() == arrangement; }});
+    rows.add(id, label, help, [&editor, arrangement] { arrange_views(editor, arrangement); }, document,
+             {.keys = keys, .separator_before = first, .checked = [&editor, arrangement] {
+                return editor.layout.arrangement() == arrangement;
+              }});
   };
   arrange("view.four", "Four views", "Top, front and right beside the free view.", "Ctrl+Alt+Q",
           Arrangement::four, true);
   arrange("view.two", "Two views", "A plan beside the free view.", "Ctrl+Alt+W", Arrangement::two, false);
-  add_view_row(host, {.id = "view.maximise",
-                      .label = "Maximise view",
-                      .help = "The view under the pointer alone, or all again.",
-                      .keys = "Ctrl+Space",
-                      .run = [&editor] { editor.layout.toggle_maximised(); },
-                      .why_not = document,
-                      .checked = [&editor] { return editor.layout.arrangement() == Arrangement::one; }});
+  rows.add("view.maximise", "Maximise view", "The view under the pointer alone, or all again.",
+           [&editor] { editor.layout.toggle_maximised(); }, document,
+           {.keys = "Ctrl+Space",
+            .checked = [&editor] { return editor.layout.arrangement() == Arrangement::one; }});
 }
 
 }  // namespace
@@ -145,50 +111,28 @@ void add_view_commands(CommandHost& host) {
   add_side_commands(host);
   add_arrangement_commands(host);
   Editor& editor = host.editor;
-  add_view_row(
-      host,
-      {.id = "view.keep_probe",
-       .label = "Keep probe",
-       .help = "Keep the readings of the surface under the pointer on the screen; over nothing, let them go.",
-       .keys = "Ctrl+Alt+P",
-       .separator_before = true,
-       .needs_window = true,
-       .run = [&editor, &host] { editor.kept_probe = host.viewport.pointed_at(); },
-       .why_not = needs_document(editor),
-       .checked = [&editor] { return editor.kept_probe.has_value(); }});
-  add_view_row(host, {.id = "view.frame_times",
-                      .label = "Frame times",
-                      .help = "Show how long frames take and which part of that is our own work.",
-                      .keys = "F12",
-                      .run = [&editor] { show_frame_times(editor); },
-                      .checked = [&editor] { return editor.frame_times.visible; }});
-  add_view_row(host, switching({.id = "view.x_ray",
-                                .label = "X-ray",
-                                .help = "See and pick through the surface.",
-                                .keys = "Alt+X",
-                                .icon = icon::shown,
-                                .separator_before = true},
-                               editor.view.x_ray));
-  add_view_row(
-      host,
-      {.id = "view.surfaces_only",
-       .label = "Surfaces only",
-       .help =
+  MenuRows rows = rows_of_views(host);
+  rows.add("view.keep_probe", "Keep probe",
+           "Keep the readings of the surface under the pointer on the screen; over nothing, let them go.",
+           [&editor, &host] { editor.kept_probe = host.viewport.pointed_at(); }, needs_document(editor),
+           {.keys = "Ctrl+Alt+P", .separator_before = true, .needs_window = true, .checked = [&editor] {
+              return editor.kept_probe.has_value();
+            }});
+  rows.add("view.frame_times", "Frame times",
+           "Show how long frames take and which part of that is our own work.",
+           [&editor] { show_frame_times(editor); }, {},
+           {.keys = "F12", .checked = [&editor] { return editor.frame_times.visible; }});
+  rows.add_switch("view.x_ray", "X-ray", "See and pick through the surface.", editor.view.x_ray,
+                  {.keys = "Alt+X", .icon = icon::shown, .separator_before = true});
+  rows.add("view.surfaces_only", "Surfaces only",
            "Hide all curves, points, polyhedra and marks of the selection, for judging; again shows them.",
-       .keys = "V",
-       .run = [&editor] { show_surfaces_only(editor); },
-       .why_not = needs_document(editor),
-       .checked = [&editor] { return editor.view.surfaces_only; }});
-  add_view_row(host, switching({.id = "view.solids",
-                                .label = "Solids in the surface",
-                                .help = "See the bodies of solids through the surface round them.",
-                                .keys = "Alt+B"},
-                               editor.view.bodies));
-  add_view_row(host, switching({.id = "view.grid",
-                                .label = "Grid",
-                                .help = "Show the ground, and behind side views a grid with numbers.",
-                                .keys = "Shift+G"},
-                               editor.view.grid));
+           [&editor] { show_surfaces_only(editor); }, needs_document(editor),
+           {.keys = "V", .checked = [&editor] { return editor.view.surfaces_only; }});
+  rows.add_switch("view.solids", "Solids in the surface",
+                  "See the bodies of solids through the surface round them.", editor.view.bodies,
+                  {.keys = "Alt+B"});
+  rows.add_switch("view.grid", "Grid", "Show the ground, and behind side views a grid with numbers.",
+                  editor.view.grid, {.keys = "Shift+G"});
 }
 
 }  // namespace hariko

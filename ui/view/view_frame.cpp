@@ -1,12 +1,13 @@
 #include "ui/view/view_frame.hpp"
 
-#include <array>
 #include <cmath>
 
 #include "render/color_map.hpp"
 #include "render/grid_plane.hpp"
 #include "ui/base/icons.hpp"
 #include "ui/view/overlay_drawing.hpp"
+#include "ui/widgets/command_menu.hpp"
+#include "ui/widgets/items.hpp"
 
 namespace hariko {
 
@@ -17,41 +18,38 @@ std::string popup_name(int view) {
 }
 
 void draw_menu(PanelContext& context) {
-  constexpr std::array ids{"view.iso",
-                           "view.front",
-                           "view.back",
-                           "view.right",
-                           "view.left",
-                           "view.top",
-                           "view.bottom",
-                           "",
-                           "view.orthographic",
-                           "view.two_point",
-                           "view.lock",
-                           "view.frame_all",
-                           "view.frame_selection",
-                           "",
-                           "view.maximise",
-                           "view.single",
-                           "view.two",
-                           "view.four"};
-  for (const char* id : ids) {
-    if (!*id) {
-      ImGui::Separator();
-      continue;
-    }
-    const Command* command = context.commands.find(id);
-    if (!command) continue;
-    const auto reason = command->why_not ? command->why_not() : std::nullopt;
-    const std::string keys = command->keys.substr(0, command->keys.find(" / "));
-    if (ImGui::MenuItem(context.tr(command->label).c_str(), keys.c_str(),
-                        command->checked && command->checked(), !reason))
-      context.commands.run(*command);
-    context.marks.item(std::string("title.") + id);
-  }
+  draw_menu_items(context,
+                  {"view.iso", "view.front", "view.back", "view.right", "view.left", "view.top",
+                   "view.bottom", "", "view.orthographic", "view.two_point", "view.lock", "view.frame_all",
+                   "view.frame_selection", "", "view.maximise", "view.two", "view.four"},
+                  "title.");
 }
 
 }  // namespace
+
+bool view_menu_button(PanelContext& context, int view, const PanelRect& place, const std::string& kind) {
+  const std::string number = std::to_string(view);
+  const bool hovered = pointer_area(context.marks, "view." + number + "." + kind, place);
+  if (ImGui::IsItemClicked(ImGuiMouseButton_Left)) {
+    context.editor.layout.activate(view);
+    ImGui::OpenPopup((kind + "." + number).c_str());
+  }
+  return hovered;
+}
+
+OpenScope view_menu(const PanelContext& context, const PanelRect& place, const char* text, ImU32 colour,
+                    const std::string& popup) {
+  const Metrics& m = context.metrics;
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.AddRectFilled(place.min, place.max, palette().overlay, m.px(4));
+  list.AddText({place.min.x + m.px(8), place.min.y + m.px(4)}, colour, text);
+  // A small triangle says that there is a menu.
+  const ImVec2 tip(place.max.x - m.px(11), (place.min.y + place.max.y) / 2 + m.px(2));
+  list.AddTriangleFilled({tip.x - m.px(3.5F), tip.y - m.px(4)}, {tip.x + m.px(3.5F), tip.y - m.px(4)}, tip,
+                         colour);
+  ImGui::SetNextWindowPos({place.min.x, place.max.y + m.px(2)});
+  return popup_scope(popup);
+}
 
 const char* title_of(const Camera& camera) {
   const auto side = side_of(camera);
@@ -85,11 +83,7 @@ PanelRect view_title_place(const PanelContext& context, int view, const PanelRec
 
 bool view_title_button(PanelContext& context, int view, const PanelRect& pane) {
   const PanelRect place = view_title_place(context, view, pane);
-  ImGui::SetCursorScreenPos(place.min);
-  const std::string name = "title" + std::to_string(view);
-  ImGui::InvisibleButton(name.c_str(), {place.max.x - place.min.x, place.max.y - place.min.y});
-  context.marks.item("view." + std::to_string(view) + ".title");
-  const bool hovered = ImGui::IsItemHovered();
+  const bool hovered = pointer_area(context.marks, "view." + std::to_string(view) + ".title", place);
   ViewLayout& layout = context.editor.layout;
   // The first click of a double click opened the menu, which now keeps the pointer from items below it.
   const bool reached = hovered || ImGui::IsPopupOpen(popup_name(view).c_str());
@@ -105,25 +99,14 @@ bool view_title_button(PanelContext& context, int view, const PanelRect& pane) {
 }
 
 void draw_view_title(PanelContext& context, int view, const PanelRect& pane, bool hovered) {
-  const Metrics& m = context.metrics;
-  const PanelRect place = view_title_place(context, view, pane);
   const View& shown = context.editor.layout.views[static_cast<std::size_t>(view)];
   const bool active = context.editor.layout.active() == view;
-  ImDrawList& list = *ImGui::GetWindowDrawList();
-  list.AddRectFilled(place.min, place.max, palette().overlay, m.px(4));
   const ImU32 colour = active || hovered ? palette().text : palette().dim_text;
-  const ImVec2 at(place.min.x + m.px(8), place.min.y + m.px(4));
-  list.AddText(at, colour, context.tr(title_of(shown.goal())));
-  // A small triangle says that there is a menu.
-  const ImVec2 tip(place.max.x - m.px(11), (place.min.y + place.max.y) / 2 + m.px(2));
-  list.AddTriangleFilled({tip.x - m.px(3.5F), tip.y - m.px(4)}, {tip.x + m.px(3.5F), tip.y - m.px(4)}, tip,
-                         colour);
-  ImGui::SetNextWindowPos({place.min.x, place.max.y + m.px(2)});
-  if (ImGui::BeginPopup(popup_name(view).c_str())) {
-    context.editor.layout.activate(view);
-    draw_menu(context);
-    ImGui::EndPopup();
-  }
+  const OpenScope menu = view_menu(context, view_title_place(context, view, pane),
+                                   context.tr(title_of(shown.goal())), colour, popup_name(view));
+  if (!menu) return;
+  context.editor.layout.activate(view);
+  draw_menu(context);
 }
 
 double scale_bar_length(double longest) {

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "ui/widgets/items.hpp"
+
 namespace hariko {
 
 namespace {
@@ -40,8 +42,8 @@ void ViewPanes::arrange(const PanelRect& rect) {
 }
 
 const ViewPanes::Place& ViewPanes::active_place() const {
-  const auto found = std::find_if(places_.begin(), places_.end(),
-                                  [&](const Place& place) { return place.view == editor_.layout.active(); });
+  const auto found = std::ranges::find_if(
+      places_, [&](const Place& place) { return place.view == editor_.layout.active(); });
   return found == places_.end() ? places_.front() : *found;
 }
 
@@ -88,10 +90,7 @@ void ViewPanes::activate_under_pointer(const PanelRect& rect, bool busy) {
 void ViewPanes::drag_splitter(PanelContext& context, const PanelRect& rect, const char* name,
                               const PanelRect& bar, ImGuiMouseCursor cursor) {
   ImGui::SetCursorScreenPos(bar.min);
-  ImGui::InvisibleButton(name, {bar.width(), bar.height()});
-  context.marks.item(name);
-  if (ImGui::IsItemHovered() || ImGui::IsItemActive()) ImGui::SetMouseCursor(cursor);
-  if (!ImGui::IsItemActive()) return;
+  if (!border_area(context.marks, name, {bar.width(), bar.height()}, cursor)) return;
   const ImVec2 mouse = ImGui::GetIO().MousePos;
   const auto fraction = [](float value) {
     return std::clamp(value, ViewLayout::least_split, 1 - ViewLayout::least_split);
@@ -116,6 +115,22 @@ void ViewPanes::drag_splitters(PanelContext& context, const PanelRect& rect) {
     drag_splitter(context, rect, "splitter.y", {{rect.min.x, y - thick}, {rect.max.x, y + thick}},
                   ImGuiMouseCursor_ResizeNS);
   arrange(rect);
+}
+
+void change_room_of_views(Editor& editor, bool narrower) {
+  // Half the view is left, which would cut the model off.
+  if (narrower) {
+    editor.wants_framing = true;
+    return;
+  }
+  const Camera now = editor.layout.active_view().goal();
+  editor.frame_all(true);
+  const Camera framed = editor.layout.active_view().goal();
+  editor.set_camera(now);
+  constexpr double close = 1e-6;  // share of the distance
+  const bool whole = std::abs(framed.distance - now.distance) <= close * now.distance &&
+                     (framed.target - now.target).norm() <= close * now.distance;
+  if (whole) editor.wants_framing = true;
 }
 
 }  // namespace hariko

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "ui/editor/editor.hpp"
 #include "ui/widgets/panels.hpp"
 
 namespace hariko {
@@ -52,5 +53,9 @@ class ViewPanes {
 inline bool holds(const PanelRect& rect, ImVec2 point) {
   return point.x >= rect.min.x && point.x < rect.max.x && point.y >= rect.min.y && point.y < rect.max.y;
 }
+
+/// After a panel beside the views was opened (`narrower`), or before one closes. What is seen as a whole
+/// stays so and fills its view again; a view that was turned to a part stays where it is.
+void change_room_of_views(Editor& editor, bool narrower);
 
 }  // namespace hariko

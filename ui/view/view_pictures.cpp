@@ -24,14 +24,13 @@ void ViewPictures::update(Editor& editor, const SceneBuilder& scene, std::span<c
   const std::uint64_t before = drawn_;
   for (int view = 0; view < ViewLayout::count; ++view) {
     State& state = states_[static_cast<std::size_t>(view)];
-    const bool shows =
-        std::any_of(shown.begin(), shown.end(), [&](const Shown& s) { return s.view == view; });
+    const bool shows = std::ranges::any_of(shown, [&](const Shown& s) { return s.view == view; });
     if (shows || !state.exists) continue;
     renderer_.forget(view);
     state = {};
   }
   const bool slow = motion_.samples() < full_samples;
-  std::optional<PictureTime> time = PictureTime{};  // of all pictures drawn here
+  std::optional<PictureTime> time = PictureTime{};  // the time of all pictures drawn here
   bool other_drawn = false;
   next_other_ = (next_other_ + 1) % ViewLayout::count;
   // The active view first, then the others in turn.

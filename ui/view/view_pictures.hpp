@@ -14,7 +14,7 @@
 
 namespace hariko {
 
-/// Which of the renderer's pictures is whose; the views have the first ones, by their numbers.
+/// Number of the renderer's picture for thumbnails; the views have the first ones, by their numbers.
 inline constexpr int thumbnail_picture = ViewLayout::count;
 static_assert(thumbnail_picture < Renderer::most_pictures);
 
@@ -40,9 +40,9 @@ class ViewPictures {
   /// Seconds until a picture wants another frame without any event; negative when none does.
   double next_frame_in(const Editor& editor, bool busy) const;
   std::uint64_t drawn() const { return drawn_; }
-  /// That the last update took until OpenGL was finished; measured while the overlay of frame times shows.
+  /// Time that the last update took until OpenGL was finished; measured while the frame times show.
   double milliseconds() const { return milliseconds_; }
-  /// Of the views drawn in the last update.
+  /// Statistics of the views drawn in the last update.
   const FrameStatistics& statistics() const { return statistics_; }
 
  private:
@@ -55,7 +55,7 @@ class ViewPictures {
     double changed_at = 0;
     bool unfinished = false;  ///< reference pictures become sharper with the next frames
     std::uint64_t jumps = 0;
-    double fades_from = -1;  ///< when a fade began
+    double fades_from = -1;  ///< time when a fade began
   };
   bool wants_rest(const State& state) const { return state.exists && state.samples < full_samples; }
   /// Returns how long an earlier drawing of the view took, where that is known by now.
@@ -67,10 +67,10 @@ class ViewPictures {
   std::uint64_t drawn_ = 0;
   double milliseconds_ = 0;
   FrameStatistics statistics_;
-  int next_other_ = 0;  ///< which of the views that are not active is next on slow renderers
+  int next_other_ = 0;  ///< number of the view, not the active one, that is next on slow renderers
 
   static constexpr int full_samples = 4;
-  static constexpr std::size_t upload_bytes = std::size_t(8) << 20;  ///< of reference pictures, a frame
+  static constexpr std::size_t upload_bytes = std::size_t(8) << 20;  ///< bytes of reference pictures, a frame
   static constexpr double rest_seconds = 0.15;  ///< after which a still picture is drawn with all samples
 };
 

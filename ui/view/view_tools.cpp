@@ -9,7 +9,7 @@ namespace hariko {
 namespace {
 
 constexpr double orbit_speed = 0.008;  ///< radians a design pixel
-constexpr double zoom_speed = 0.006;   ///< of the distance's logarithm, a design pixel
+constexpr double zoom_speed = 0.006;   ///< change of the distance's logarithm, a design pixel
 
 class ViewTool : public Tool {
  public:

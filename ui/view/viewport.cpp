@@ -2,14 +2,13 @@
 
 #include <algorithm>
 
-#include "ui/editor/selection_text.hpp"
+#include "ui/editor/selected_items.hpp"
 #include "ui/view/axis_gizmo.hpp"
 #include "ui/view/legend.hpp"
-#include "ui/view/mesh_overlay.hpp"
 #include "ui/view/navigation.hpp"
-#include "ui/view/snap_menu.hpp"
 #include "ui/view/view_frame.hpp"
-#include "ui/view/views_menu.hpp"
+#include "ui/view/view_menus.hpp"
+#include "ui/widgets/items.hpp"
 
 namespace hariko {
 
@@ -53,7 +52,7 @@ void Viewport::draw(PanelContext& context, const PanelRect& rect) {
   frame_views();
   if (begin_panel("Viewport", rect, palette().window, {0, 0},
                   ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse)) {
-    // What lies over the pictures comes first: ImGui gives the pointer to the first of overlapping items.
+    // Controls over the pictures come first: ImGui gives the pointer to the first of overlapping items.
     panes_.drag_splitters(context, rect);
     for (Place& place : panes_.places()) {
       place.title_hovered = view_title_button(context, place.view, place.rect);
@@ -63,12 +62,7 @@ void Viewport::draw(PanelContext& context, const PanelRect& rect) {
           snap_button(context, place.view, views_button_place(context, title, place.rect), place.rect);
       gizmo_button(context, place);
     }
-    ImGui::SetCursorScreenPos(rect.min);
-    ImGui::InvisibleButton("surface", {rect.width(), rect.height()},
-                           ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |
-                               ImGuiButtonFlags_MouseButtonMiddle);
-    context.marks.item("viewport");
-    const bool hovered = ImGui::IsItemHovered();
+    const bool hovered = pointer_area(context.marks, "viewport", rect, all_buttons);
     tools_.end_stale_tool();
     panes_.activate_under_pointer(rect, tool_active());
     scene_.update(editor_);  // hovering and clicking look at what is there now
@@ -107,10 +101,9 @@ void Viewport::gizmo_button(PanelContext& context, Place& place) {
   }
   const ImVec2 mouse = ImGui::GetIO().MousePos;
   if (tool_active() || !gizmo.holds(mouse)) return;
-  const float inset = 2 * radius + context.metrics.px(gizmo_margin);
-  ImGui::SetCursorScreenPos({place.rect.max.x - inset, place.rect.min.y + context.metrics.px(gizmo_margin)});
-  ImGui::InvisibleButton(name.c_str(), {2 * radius, 2 * radius});
-  place.gizmo_hovered = ImGui::IsItemHovered();
+  const float margin = context.metrics.px(gizmo_margin), side = 2 * radius;
+  const ImVec2 low(place.rect.max.x - side - margin, place.rect.min.y + margin);
+  place.gizmo_hovered = pointer_area(context.marks, name, {low, {low.x + side, low.y + side}});
   if (!ImGui::IsItemClicked(ImGuiMouseButton_Left)) return;
   panes_.activate(place);
   PointerEvent press;
@@ -141,14 +134,13 @@ void Viewport::show(PanelContext& context, const Place& place) {
   list.PopClipRect();
 }
 
-/// Scales, numbers, handles and titles over the picture of a view.
+/// Scales, layers and titles over the picture of a view.
 void Viewport::draw_over(PanelContext& context, const Place& place, const Camera& camera) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const PixelSize size = ViewPanes::size_of(place);
   const bool active = place.view == editor_.layout.active();
   draw_scale_bar(context, camera, place.rect);
   draw_grid_labels(context, camera, place.rect, scene_.scene().grid);
-  if (!editor_.view.surfaces_only) draw_tension_numbers(context, place.rect, camera, scene_.scene());
   const ToolContext around{editor_, scene_};
   const ToolOverlay overlay{list, place.rect.min, context.metrics};
   const bool free = active && !tool_active() && holds(place.rect, ImGui::GetIO().MousePos);
@@ -214,11 +206,10 @@ std::string Viewport::hint() const {
     if (const char* hint = layer->hint()) return tr(hint);
   if (editor_.hovered) return tr("Click selects   Shift adds   Ctrl removes   drag moves");
   const std::size_t objects = editor_.selection.objects().size();
-  const std::string selected =
-      editor_.mode == ElementMode::object && objects > 0
-          ? fill(tr(objects == 1 ? "{0} object" : "{0} objects"), {std::to_string(objects)})
-          : describe_in(editor_.has_document ? editor_.active_object() : nullptr,
-                        editor_.selection.of_active(), editor_.language);
+  const std::string selected = editor_.mode == ElementMode::object && objects > 0
+                                   ? tr.counted(objects, "{0} object", "{0} objects")
+                                   : describe_in(editor_.has_document ? editor_.active_object() : nullptr,
+                                                 editor_.selection.of_active(), editor_.language);
   const bool parallel = editor_.camera().orthographic;
   const std::string size = selection_size_.text().empty() ? "" : "   " + selection_size_.text();
   return selected + size + "   |   " + tr(navigation_hint(editor_.settings.navigation, parallel));

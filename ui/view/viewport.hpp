@@ -52,7 +52,7 @@ class Viewport {
   /// Milliseconds that OpenGL took for the pictures of the last frame; measured while the overlay shows.
   double picture_milliseconds() const { return pictures_.milliseconds(); }
   std::uint64_t pictures_drawn() const { return pictures_.drawn(); }
-  /// Where the active view is, in window pixels: tools and commands act there.
+  /// Place of the active view, in window pixels: tools and commands act there.
   const PanelRect& rect() const { return panes_.rect(); }
 
  private:

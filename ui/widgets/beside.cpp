@@ -4,6 +4,8 @@
 #include <cmath>
 #include <string>
 
+#include "ui/widgets/items.hpp"
+
 namespace hariko {
 
 namespace {
@@ -21,10 +23,7 @@ PanelRect draw_beside(PanelContext& context, const PanelRect& view, const char* 
   const float left = x - context.metrics.px(view_border);
   if (begin_panel((std::string("##") + mark).c_str(), {{left, view.min.y}, {x, view.max.y}}, 0, {0, 0},
                   ImGuiWindowFlags_NoBackground)) {
-    ImGui::InvisibleButton("drag", {x - left, view.height()});
-    context.marks.item(mark);
-    if (ImGui::IsItemHovered() || ImGui::IsItemActive()) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
-    if (ImGui::IsItemActive())
+    if (border_area(context.marks, mark, {x - left, view.height()}, ImGuiMouseCursor_ResizeEW))
       split = std::clamp((ImGui::GetIO().MousePos.x - view.min.x) / view.width(), 0.15F, 0.85F);
   }
   ImGui::End();

@@ -19,8 +19,7 @@ bool overlap(float low_a, float high_a, float low_b, float high_b) {
 }  // namespace
 
 std::size_t CardFocus::place() const {
-  const auto found =
-      std::find_if(items_.begin(), items_.end(), [this](const Placed& item) { return item.id == focused_; });
+  const auto found = std::ranges::find_if(items_, [this](const Placed& item) { return item.id == focused_; });
   return static_cast<std::size_t>(found - items_.begin());
 }
 
@@ -39,7 +38,7 @@ std::size_t CardFocus::beside(std::size_t from, int step) const {
 std::size_t CardFocus::in_row(std::size_t from, bool below) const {
   const Placed& here = items_[from];
   const auto middle = [](const Placed& item) { return (item.low.x + item.high.x) / 2; };
-  // How far the row is, then how far to the side.
+  // Distance to the row, then to the side.
   const auto way = [&](const Placed& other) {
     const float down = below ? other.low.y - here.high.y : here.low.y - other.high.y;
     return std::pair(std::round(down), std::abs(middle(other) - middle(here)));

@@ -40,7 +40,7 @@ class CardFocus {
   std::size_t in_row(std::size_t from, bool below) const;  ///< nearest of the next row
   void go(std::size_t to);
 
-  std::vector<Placed> items_, drawn_;  ///< of the last frame, of this one
+  std::vector<Placed> items_, drawn_;  ///< items of the last frame, and of this one
   std::string focused_;
   bool scroll_ = false;  ///< until it can be seen
   bool choose_ = false;

@@ -26,7 +26,7 @@ inline constexpr auto enum_choices = nullptr;
 template <class Enum>
 struct EnumChoice {
   Enum value;
-  Choice choice;
+  const char *label, *help;
 };
 
 /// Table for an enumeration each of whose enumerators that have a word has a label.
@@ -36,7 +36,7 @@ constexpr std::array<Choice, N> all_choices(const EnumChoice<Enum> (&entries)[N]
   for (std::size_t i = 0; i < N; ++i) {
     HARIKO_ASSERT(static_cast<std::size_t>(entries[i].value) == i,
                   "labels have the order of the enumerators");
-    out[i] = entries[i].choice;
+    out[i] = {entries[i].label, entries[i].help};
   }
   if constexpr (!std::is_same_v<decltype(enum_words<Enum>), const std::nullptr_t>)
     static_assert(N == enum_words<Enum>.size(), "an enumerator with a word has no label");
@@ -57,7 +57,12 @@ constexpr const Choice& enum_choice(Enum value) {
 std::optional<int> choose(PanelContext& context, const char* id, const char* label, const char* help,
                           std::span<const Choice> choices, int current);
 
-/// Likewise among all enumerators; nothing for `current` shows "mixed".
+/// A small button that shows the present choice and opens a menu of all. Returns the new choice. Marks:
+/// "<mark>" and "<mark>.<number>".
+std::optional<int> choice_menu(PanelContext& context, const std::string& mark,
+                               std::span<const Choice> choices, int current);
+
+/// `choose` among all enumerators; nothing for `current` shows "mixed".
 template <class Enum>
 std::optional<Enum> choose(PanelContext& context, const char* id, const char* label, const char* help,
                            std::optional<Enum> current) {

@@ -6,6 +6,8 @@
 
 #include "ui/base/icons.hpp"
 #include "ui/base/text_lines.hpp"
+#include "ui/widgets/items.hpp"
+#include "ui/widgets/lists.hpp"
 #include "ui/widgets/tips.hpp"
 
 namespace hariko {
@@ -25,23 +27,31 @@ void draw_menu_nodes(PanelContext& context, const std::vector<MenuNode>& nodes, 
   for (const MenuNode& node : nodes) {
     if (node.separator_before) ImGui::Separator();
     if (!node.command) {
-      const bool shown = ImGui::BeginMenu((std::string(tr(node.submenu)) + "###" + node.submenu).c_str());
-      context.marks.item("menu." + node.submenu);
-      if (!shown) continue;
-      draw_menu_nodes(context, node.children, prefix);
-      ImGui::EndMenu();
+      const OpenScope menu =
+          menu_scope(context.marks, "menu." + node.submenu, tr(node.submenu) + "###" + node.submenu);
+      if (menu) draw_menu_nodes(context, node.children, prefix);
       continue;
     }
-    const Command& command = *node.command;
-    const auto reason = command.why_not ? command.why_not() : std::nullopt;
-    const std::string label = tr(command.label) + "###" + command.id;
-    const bool chosen = ImGui::MenuItem(label.c_str(), first_key(command).c_str(),
-                                        command.checked && command.checked(), !reason);
-    context.marks.item(prefix + command.id);
-    if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled))
-      command_tooltip(context, command, reason, false);
-    if (chosen) context.run(command.id);
+    draw_menu_item(context, *node.command, prefix);
   }
+}
+
+void draw_menu_items(PanelContext& context, std::initializer_list<const char*> ids, const char* prefix) {
+  for (const char* id : ids) {
+    if (!*id) ImGui::Separator();
+    if (const Command* command = context.commands.find(id)) draw_menu_item(context, *command, prefix);
+  }
+}
+
+void draw_menu_item(PanelContext& context, const Command& command, const char* prefix) {
+  const auto reason = command.why_not ? command.why_not() : std::nullopt;
+  const std::string label = context.tr(command.label) + "###" + command.id;
+  const bool chosen = ImGui::MenuItem(label.c_str(), first_key(command).c_str(),
+                                      command.checked && command.checked(), !reason);
+  context.marks.item(prefix + command.id);
+  if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled))
+    command_tooltip(context, command, reason, false);
+  if (chosen) context.run(command.id);
 }
 
 void command_tooltip(const PanelContext& context, const Command& command,
@@ -66,10 +76,7 @@ void command_tooltip(const PanelContext& context, const Command& command,
   });
   ImGui::BeginTooltip();
   for (const TipPart& part : parts) {
-    {
-      const TextColour colour(part.colour);
-      ImGui::TextUnformatted(in_lines(part.text, width).c_str());
-    }
+    coloured_text(part.colour, in_lines(part.text, width).c_str());
     if (part.keys.empty()) continue;
     ImGui::SameLine(0, keys_at);
     ImGui::TextDisabled("%s", part.keys.c_str());

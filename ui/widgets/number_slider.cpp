@@ -4,16 +4,24 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <string>
+#include <type_traits>
 
 #include "ui/base/theme.hpp"
+#include "ui/widgets/value_fields.hpp"
 
 namespace hariko {
 
 namespace {
 
 template <class T>
-constexpr ImGuiDataType slider_type = sizeof(T) == sizeof(double) ? ImGuiDataType_Double : ImGuiDataType_S32;
+constexpr ImGuiDataType slider_type = std::is_same_v<T, double>  ? ImGuiDataType_Double
+                                      : std::is_same_v<T, float> ? ImGuiDataType_Float
+                                                                 : ImGuiDataType_S32;
+template <class T>
+constexpr ImGuiInputTextFlags typed_flags =
+    std::is_same_v<T, double> ? ImGuiInputTextFlags_CharsScientific : ImGuiInputTextFlags_None;
 
 template <class T>
 std::string slider_number(const SliderRange& range, T value) {
@@ -34,21 +42,35 @@ float number_room(const SliderRange& range, T value) {
   return out;
 }
 
+/// Takes a number that a field gave.
 template <class T>
-bool slider_beside_number(const char* id, const SliderRange& range, T& value, float width) {
+bool take_number(bool changed, T given, const SliderRange& range, T& value) {
+  if (!changed || !std::isfinite(static_cast<double>(given))) return false;
+  value = std::clamp(given, static_cast<T>(range.low), static_cast<T>(range.high));
+  return true;
+}
+
+}  // namespace
+
+template <class Number>
+bool number_slider(Marks& marks, const std::string& mark, const SliderRange& range, Number& value,
+                   float width) {
   constexpr float most_for_number = 0.6F;  // share of the width
   const ImGuiStyle& style = ImGui::GetStyle();
+  const std::string label = "##" + mark;
   const float room = width > 0 ? width : ImGui::GetContentRegionAvail().x;
   const float number = std::min(number_room(range, value), most_for_number * room);
   const ImVec2 at = ImGui::GetCursorScreenPos();
   ImGui::SetNextItemWidth(room - number - style.ItemInnerSpacing.x);
-  const auto low = static_cast<T>(range.low), high = static_cast<T>(range.high);
+  const auto low = static_cast<Number>(range.low), high = static_cast<Number>(range.high);
   bool changed = false;
   {
     // The track writes its number, too: visible only where it is typed.
-    const bool typed = ImGui::TempInputIsActive(ImGui::GetID(id));
+    const bool typed = ImGui::TempInputIsActive(ImGui::GetID(label.c_str()));
     const TextColour colour(typed ? ImGui::GetColorU32(ImGuiCol_Text) : IM_COL32_BLACK_TRANS);
-    changed = ImGui::SliderScalar(id, slider_type<T>, &value, &low, &high, range.format, range.flags);
+    changed = ImGui::SliderScalar(label.c_str(), slider_type<Number>, &value, &low, &high, range.format,
+                                  range.flags);
+    marks.item(mark);
   }
   ImGui::GetWindowDrawList()->AddText({at.x + room - number, at.y + style.FramePadding.y},
                                       ImGui::GetColorU32(ImGuiCol_Text), slider_number(range, value).c_str());
@@ -59,14 +81,57 @@ bool slider_beside_number(const char* id, const SliderRange& range, T& value, fl
   return changed;
 }
 
-}  // namespace
-
-bool number_slider(const char* id, const SliderRange& range, double& value, float width) {
-  return slider_beside_number(id, range, value, width);
+template <class Number>
+void slider_row(PanelContext& context, const std::string& id, const char* label, const char* help,
+                const SliderRange& range, Number& value) {
+  row_label(context, label, help);
+  Number wanted = value;
+  number_slider(context.marks, "slider." + id, range, wanted);
+  if (std::isfinite(static_cast<double>(wanted))) value = wanted;
+  point_out(context, id.c_str());
 }
 
-bool number_slider(const char* id, const SliderRange& range, int& value, float width) {
-  return slider_beside_number(id, range, value, width);
+template <class Number>
+bool number_input(Marks& marks, const std::string& mark, float width, const SliderRange& range,
+                  Number& value) {
+  ImGui::SetNextItemWidth(width);
+  Number typed = value;
+  const bool changed = ImGui::InputScalar(("##" + mark).c_str(), slider_type<Number>, &typed, nullptr,
+                                          nullptr, range.format, typed_flags<Number>);
+  marks.item(mark);
+  return take_number(changed, typed, range, value);
+}
+
+template <class Number>
+bool track_slider(Marks& marks, const std::string& mark, float width, Number most, Number& value) {
+  const Number least = 0;
+  ImGui::SetNextItemWidth(width);
+  const bool moved = ImGui::SliderScalar(("##" + mark).c_str(), slider_type<Number>, &value, &least, &most,
+                                         "", ImGuiSliderFlags_NoInput);
+  marks.item(mark);
+  return moved;
+}
+
+template bool number_slider(Marks&, const std::string&, const SliderRange&, double&, float);
+template bool number_slider(Marks&, const std::string&, const SliderRange&, int&, float);
+template void slider_row(PanelContext&, const std::string&, const char*, const char*, const SliderRange&,
+                         double&);
+template void slider_row(PanelContext&, const std::string&, const char*, const char*, const SliderRange&,
+                         int&);
+template bool number_input(Marks&, const std::string&, float, const SliderRange&, double&);
+template bool number_input(Marks&, const std::string&, float, const SliderRange&, int&);
+template bool track_slider(Marks&, const std::string&, float, float, float&);
+template bool track_slider(Marks&, const std::string&, float, int, int&);
+
+bool number_drag(Marks& marks, const std::string& mark, const SliderRange& range, double step,
+                 double& value) {
+  ImGui::SetNextItemWidth(-1);
+  double given = value;
+  const bool changed =
+      ImGui::DragScalar(("##" + mark).c_str(), ImGuiDataType_Double, &given, static_cast<float>(step),
+                        nullptr, nullptr, range.format, range.flags);
+  marks.item(mark);
+  return take_number(changed, given, range, value);
 }
 
 }  // namespace hariko

@@ -22,13 +22,13 @@ struct RecoveryOffer {
   bool file_changed = false;      ///< the file was saved or changed after the copy was made
   bool damaged = false;           ///< nothing of it can be read: it can only be discarded
   ImTextureID picture = nullptr;  ///< null when there is none (yet)
-  float aspect = 4.0F / 3;        ///< of the picture
+  float aspect = 4.0F / 3;        ///< width by height of the picture
 };
 
 /// A session that ended by a mistake of the program.
 struct CrashOffer {
   std::int64_t at = 0;  ///< seconds since 1970, UTC
-  std::string report;   ///< what a report about the mistake needs, for the clipboard
+  std::string report;   ///< text that a report about the mistake needs, for the clipboard
 };
 
 struct RecentFile {

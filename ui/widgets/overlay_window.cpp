@@ -1,7 +1,5 @@
 #include "ui/widgets/overlay_window.hpp"
 
-#include <algorithm>
-
 #include "ui/base/language.hpp"
 
 namespace hariko {

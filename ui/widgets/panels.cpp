@@ -5,13 +5,14 @@
 #include <utility>
 
 #include "ui/base/icons.hpp"
+#include "ui/widgets/items.hpp"
 #include "ui/widgets/tips.hpp"
 
 namespace hariko {
 
 void PanelContext::run(std::string_view id) {
   const auto outcome = commands.run(id);
-  if (!outcome.ran) editor.notify(Notice::Kind::info, editor.language.phrase(outcome.reason));
+  if (!outcome.ran) editor.inform(outcome.reason);
 }
 
 void focus_next_field() {
@@ -36,18 +37,19 @@ bool begin_panel(const char* name, const PanelRect& rect, ImU32 background, ImVe
   return open;
 }
 
-bool main_button(const char* label, ImVec2 size) {
+bool main_button(Marks& marks, const std::string& mark, const std::string& text, float width) {
   ImGui::PushStyleColor(ImGuiCol_Button, palette().accent);
   ImGui::PushStyleColor(ImGuiCol_ButtonHovered, palette().accent_hover);
   ImGui::PushStyleColor(ImGuiCol_ButtonActive, palette().accent_hover);
   ImGui::PushStyleColor(ImGuiCol_Text, palette().on_accent);
-  const bool pressed = ImGui::Button(label, size);
+  const bool pressed = text_button(marks, mark, text, width);
   ImGui::PopStyleColor(4);
   return pressed;
 }
 
-bool area_button(const char* id, ImVec2 size) {
-  const bool pressed = ImGui::InvisibleButton(id, size);
+bool area_button(Marks& marks, const std::string& mark, ImVec2 size) {
+  const bool pressed = ImGui::InvisibleButton(mark.c_str(), size);
+  marks.item(mark);
   // Commands that cannot run now are pale; the ring round them is not.
   ImGui::PushStyleVar(ImGuiStyleVar_Alpha, 1);
   ImGui::RenderNavHighlight({ImGui::GetItemRectMin(), ImGui::GetItemRectMax()}, ImGui::GetItemID());
@@ -55,11 +57,12 @@ bool area_button(const char* id, ImVec2 size) {
   return pressed;
 }
 
-bool pointer_button(const char* id, ImVec2 size) {
+bool pointer_button(Marks& marks, const std::string& mark, ImVec2 size) {
   // Tab counts every item while it looks for the next one, whatever its flags are.
   const bool looking = std::exchange(GImGui->NavMoveScoringItems, false);
   ImGui::PushItemFlag(ImGuiItemFlags_NoNav, true);
-  const bool pressed = ImGui::InvisibleButton(id, size);
+  const bool pressed = ImGui::InvisibleButton(mark.c_str(), size);
+  marks.item(mark);
   ImGui::PopItemFlag();
   GImGui->NavMoveScoringItems = looking;
   return pressed;
@@ -84,16 +87,23 @@ void show_keyboard_focus() {
 
 void heading(const PanelContext& context, const char* text) {
   ImGui::Dummy({0, context.metrics.px(2)});
-  const TextColour colour(palette().dim_text);
-  ImGui::TextUnformatted(context.tr(text));
+  dim_text(context.tr(text));
 }
 
-bool icon_button(const PanelContext& context, const char* icon, const char* id, const char* tooltip, bool on,
-                 float size) {
+bool folding_heading(PanelContext& context, const std::string& id, const char* text,
+                     ImGuiTreeNodeFlags extra) {
+  constexpr ImGuiTreeNodeFlags flags =
+      ImGuiTreeNodeFlags_SpanAvailWidth | ImGuiTreeNodeFlags_NoTreePushOnOpen;
+  const bool open = ImGui::TreeNodeEx(("##" + id).c_str(), flags | extra, "%s", context.tr(text));
+  context.marks.item("section." + id);
+  return open;
+}
+
+bool icon_button(const PanelContext& context, const char* icon, const std::string& mark, const char* tooltip,
+                 bool on, float size) {
   const ImVec2 box(context.metrics.px(size), context.metrics.px(size));
-  ImGui::PushID(id);
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  const bool pressed = area_button("button", box);
+  const bool pressed = area_button(context.marks, mark, box);
   const bool hovered = ImGui::IsItemHovered();
   ImDrawList& draw = *ImGui::GetWindowDrawList();
   const ImVec2 end(at.x + box.x, at.y + box.y);
@@ -108,7 +118,6 @@ bool icon_button(const PanelContext& context, const char* icon, const char* id, 
                          : palette().dim_text,
                icon);
   if (hovered && *tooltip) show_tip(context.tr(tooltip));
-  ImGui::PopID();
   return pressed;
 }
 

@@ -3,7 +3,8 @@
 
 #include <algorithm>
 
-#include "ui/base/text_lines.hpp"
+#include "ui/widgets/items.hpp"
+#include "ui/widgets/lists.hpp"
 
 namespace hariko {
 
@@ -15,23 +16,20 @@ void Prompt::draw(PanelContext& context) {
   if (!shown) ImGui::OpenPopup(id);
   const Metrics& m = context.metrics;
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
-  ImGui::SetNextWindowPos({screen.x / 2, screen.y / 2}, ImGuiCond_Always, {0.5F, 0.5F});
   // A prompt that is higher than the window scrolls.
   ImGui::SetNextWindowSizeConstraints({0, 0}, {screen.x, screen.y - std::min(m.px(40), screen.y / 20)});
   const std::string title = (is_open() ? requests_.back().title : std::string()) + id;
-  if (!ImGui::BeginPopupModal(title.c_str(), nullptr,
-                              ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoMove))
-    return;
-  if (!is_open()) {
-    ImGui::CloseCurrentPopup();
-    ImGui::EndPopup();
-    return;
-  }
+  const OpenScope dialog = dialog_scope(title, ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoMove);
+  if (!dialog) return;
+  if (!is_open()) return ImGui::CloseCurrentPopup();
   const Request request = requests_.back();
   const float wide = std::min(m.px(420), screen.x - m.px(64));
   text_in_lines(request.text, wide);
   if (request.picture) request.picture();
-  if (request.fields) request.fields(context);
+  if (request.fields) {
+    ImGui::Dummy({0, m.px(8)});
+    request.fields(context);
+  }
   ImGui::Dummy({0, m.px(8)});
   const Answer* chosen = nullptr;
   focus_.begin();
@@ -47,18 +45,18 @@ void Prompt::draw(PanelContext& context) {
       if (ImGui::GetCursorPosX() + width > std::max(wide, ImGui::GetWindowWidth()) && screen.x < m.px(900))
         ImGui::NewLine();
     }
-    const bool pressed = first ? main_button(answer.label.c_str(), {width, 0})
-                               : ImGui::Button(answer.label.c_str(), {width, 0});
-    context.marks.item("prompt." + answer.mark);
+    const std::string mark = "prompt." + answer.mark;
+    const bool pressed = first ? main_button(context.marks, mark, answer.label, width)
+                               : text_button(context.marks, mark, answer.label, width);
     if (focus_.item(answer.mark, m.px(4)) || pressed) chosen = &answer;
   }
   focus_.end();
   if (chosen) {
     requests_.pop_back();
+    shown_ = 0;  // the answer may ask something else at once, which has a default of its own
     if (!is_open()) ImGui::CloseCurrentPopup();
     if (chosen->action) chosen->action();
   }
-  ImGui::EndPopup();
 }
 
 }  // namespace hariko

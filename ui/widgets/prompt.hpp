@@ -41,7 +41,7 @@ class Prompt {
  private:
   std::vector<Request> requests_;
   CardFocus focus_;
-  std::size_t shown_ = 0;  ///< how many waited when the focus went to the default answer
+  std::size_t shown_ = 0;  ///< number that waited when the focus went to the default answer
 };
 
 }  // namespace hariko

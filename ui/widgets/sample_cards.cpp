@@ -33,8 +33,7 @@ void fill_with(const Picture& picture, ImVec2 low, ImVec2 high, float radius) {
 bool draw_card(PanelContext& context, const Card& card, ImVec2 size, std::size_t lines) {
   const Metrics& m = context.metrics;
   const ImVec2 low = ImGui::GetCursorScreenPos(), high(low.x + size.x, low.y + size.y);
-  bool chosen = area_button(card.id.c_str(), size);
-  context.marks.item(card.id);
+  bool chosen = area_button(context.marks, card.id, size);
   const bool hovered = ImGui::IsItemHovered();
   const float radius = m.px(6);
   if (context.focus && context.focus->item(card.id, radius)) chosen = true;
@@ -81,19 +80,7 @@ int CardGrid::draw(std::size_t lines) const {
 }
 
 const char* heading_of(Beginning beginning) {
-  switch (beginning) {
-    case Beginning::polyhedron:
-      return translatable("Polyhedron");
-    case Beginning::solids:
-      return translatable("Solids");
-    case Beginning::sections:
-      return translatable("Sections");
-    case Beginning::outline:
-      return translatable("Outline");
-    case Beginning::other:
-      break;
-  }
-  return translatable("Others");
+  return name_among(beginning, {"Polyhedron", "Solids", "Sections", "Outline", "Others"});
 }
 
 bool draw_samples(PanelContext& context, float left, float width, int columns) {

@@ -5,7 +5,6 @@
 
 #include <functional>
 #include <string>
-#include <string_view>
 
 #include "ui/widgets/panels.hpp"
 
@@ -13,7 +12,7 @@ namespace hariko {
 
 struct Card {
   std::string id, title, text, help;  ///< translated, but for the id, which is its mark, too
-  Sample* pictured = nullptr;  ///< whose picture it has, which is asked for when the card is first seen
+  Sample* pictured = nullptr;         ///< sample whose picture it has, asked for when the card is first seen
   std::function<void(ImVec2 low, ImVec2 high)> paint = {};  ///< in the picture's place
 };
 

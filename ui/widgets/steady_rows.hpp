@@ -21,9 +21,9 @@ class SteadyRows {
 
  private:
   std::string row_;              ///< mark of the row that stays; empty for none
-  float place_ = 0;              ///< of the row, from the beginning of the panel's contents
+  float place_ = 0;              ///< place of the row, from the beginning of the panel's contents
   float above_ = 0, below_ = 0;  ///< empty space
-  float scroll_ = 0;             ///< that the panel is to have
+  float scroll_ = 0;             ///< place that the panel is to scroll to
   int waits_ = 0;                ///< frames until it can have it: its new height counts from the next one on
   unsigned held_ = 0;            ///< ImGui id of the item that was active in the last frame
 };

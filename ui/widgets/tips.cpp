@@ -90,4 +90,8 @@ void show_tip(const std::string& text) {
   show_tip(text.c_str());
 }
 
+void pointer_tip(const std::string& text) {
+  ImGui::SetTooltip("%s", text.c_str());
+}
+
 }  // namespace hariko

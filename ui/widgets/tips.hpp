@@ -16,6 +16,9 @@ namespace hariko {
 void show_tip(const char* text);
 void show_tip(const std::string& text);
 
+/// Shows a text at the pointer, for what is drawn there, already translated.
+void pointer_tip(const std::string& text);
+
 /// Area that a tip leaves free: the panel or dialog of the last item, or the menus that are open.
 enum class TipBeside { panel, menu };
 

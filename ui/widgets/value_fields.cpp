@@ -1,10 +1,12 @@
 #include "ui/widgets/value_fields.hpp"
-#include "ui/base/text_lines.hpp"
+#include "ui/widgets/inputs.hpp"
+#include "ui/widgets/items.hpp"
+#include "ui/widgets/lists.hpp"
+#include "ui/widgets/option_fields.hpp"
 #include "ui/widgets/tips.hpp"
 
 #include <imgui.h>
 #include <imgui_internal.h>
-#include <imgui_stdlib.h>
 
 #include <cmath>
 
@@ -35,21 +37,19 @@ void commit(PanelContext& context, const FieldSpec& spec, const ValueChange& cha
 /// Right click on the last item: default, copy, paste.
 void value_menu(PanelContext& context, const FieldSpec& spec, std::optional<double> value,
                 const EditValues& edit, const char* id = "##value_menu") {
-  if (!ImGui::BeginPopupContextItem(id)) return;
+  const OpenScope menu = item_menu_scope(id);
+  if (!menu) return;
   const Language& tr = context.tr;
   const bool known = spec.quantity.standard.has_value();
   const bool differs = known && value != spec.quantity.standard;
-  if (ImGui::MenuItem(tr("Reset to default"), nullptr, false, differs))
+  if (menu_row(context.marks, "value.reset", tr("Reset to default"), false, differs))
     commit(context, spec, {ValueChange::Kind::set, *spec.quantity.standard}, edit);
-  context.marks.item("value.reset");
-  if (ImGui::MenuItem(tr("Copy value"), nullptr, false, value.has_value()))
+  if (menu_row(context.marks, "value.copy", tr("Copy value"), false, value.has_value()))
     ImGui::SetClipboardText(exact_text(spec.quantity, *value).c_str());
-  context.marks.item("value.copy");
   const char* clipboard = ImGui::GetClipboardText();
   const auto pasted = parse_change(clipboard ? clipboard : "", spec.quantity);
-  if (ImGui::MenuItem(tr("Paste value"), nullptr, false, pasted.ok())) commit(context, spec, *pasted, edit);
-  context.marks.item("value.paste");
-  ImGui::EndPopup();
+  if (menu_row(context.marks, "value.paste", tr("Paste value"), false, pasted.ok()))
+    commit(context, spec, *pasted, edit);
 }
 
 /// The label of a number: dragging it to the side changes the value.
@@ -57,8 +57,8 @@ void drag_label(PanelContext& context, const FieldSpec& spec, std::optional<doub
                 const EditValues& edit) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float width = context.metrics.px(label_width);
-  pointer_button("label", {width, ImGui::GetFrameHeight()});  // keys type into the field
-  context.marks.item(std::string("label.") + spec.id);
+  // Keys type into the field.
+  pointer_button(context.marks, std::string("label.") + spec.id, {width, ImGui::GetFrameHeight()});
   const bool hovered = ImGui::IsItemHovered(), held = ImGui::IsItemActive();
   if (hovered || held) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
   if (held && ImGui::IsMouseDragging(0, 3)) {
@@ -78,6 +78,28 @@ void drag_label(PanelContext& context, const FieldSpec& spec, std::optional<doub
   ImGui::SameLine(context.metrics.px(label_width + 12));
 }
 
+/// The slider of a number, of the given width in pixels.
+void value_slider(PanelContext& context, const FieldSpec& spec, std::optional<double> value, float width,
+                  const EditValues& edit) {
+  Editor& editor = context.editor;
+  const double low = spec.quantity.low, high = spec.quantity.high;
+  ImGui::SetNextItemWidth(width);
+  double shown = value.value_or(low);
+  ImGuiSliderFlags flags = ImGuiSliderFlags_NoInput | ImGuiSliderFlags_NoRoundToFormat;
+  if (spec.slider == SliderKind::logarithmic) flags |= ImGuiSliderFlags_Logarithmic;
+  if (ImGui::SliderScalar("##slider", ImGuiDataType_Double, &shown, &low, &high,
+                          value ? "" : context.tr("mixed"), flags)) {
+    // Four digits are enough for a hand on a slider and read better than sixteen.
+    const double digits = std::pow(10, 3 - std::floor(std::log10(std::max(std::abs(shown), 1e-9))));
+    const double rounded = spec.quantity.whole ? std::round(shown) : std::round(shown * digits) / digits;
+    editor.preview(edit(editor.history.current(), {ValueChange::Kind::set, rounded}));
+  }
+  tooltip(context, spec.help);
+  end_gesture(editor, spec.step);
+  context.marks.item(std::string("slider.") + spec.id);
+  value_menu(context, spec, value, edit, "##slider_menu");
+}
+
 /// A number that was typed over `from`. Esc brings the text back, which has fewer digits than the value: only
 /// another text is an edit.
 void take_typed(PanelContext& context, const FieldSpec& spec, const std::string& text,
@@ -88,17 +110,12 @@ void take_typed(PanelContext& context, const FieldSpec& spec, const std::string&
 }
 
 /// Arrow keys in a field: what has been typed so far is changed by a step.
-int arrow_keys(ImGuiInputTextCallbackData* data) {
-  const auto& quantity = *static_cast<const Quantity*>(data->UserData);
+std::optional<std::string> text_after_step(const Quantity& quantity, const std::string& text, int direction) {
   const ImGuiIO& io = ImGui::GetIO();
-  const auto typed = parse_change({data->Buf, static_cast<std::size_t>(data->BufTextLen)}, quantity);
-  if (!typed.ok() || typed->kind != ValueChange::Kind::set) return 0;
-  const double direction = data->EventKey == ImGuiKey_UpArrow ? 1 : -1;
-  const double value = stepped(quantity, direction, io.KeyShift, io.KeyCtrl).apply(quantity, typed->amount);
-  data->DeleteChars(0, data->BufTextLen);
-  data->InsertChars(0, format_quantity(quantity, value).c_str());
-  data->SelectAll();
-  return 0;
+  const auto typed = parse_change(text, quantity);
+  if (!typed.ok() || typed->kind != ValueChange::Kind::set) return {};
+  const ValueChange step = stepped(quantity, direction, io.KeyShift, io.KeyCtrl);
+  return format_quantity(quantity, step.apply(quantity, typed->amount));
 }
 
 }  // namespace
@@ -111,13 +128,30 @@ void later(PanelContext& context, Result<Document> result, std::string step) {
 
 void row_label(const PanelContext& context, const char* label, const char* help) {
   const TextColour colour(palette().dim_text);
-  ImGui::AlignTextToFramePadding();
-  ImGui::TextUnformatted(context.tr(label));
+  aligned_text(context.tr(label));
   if (*help && ImGui::IsItemHovered()) {
     const TextColour bright(palette().text);
     show_tip(context.tr(help));
   }
   ImGui::SameLine(context.metrics.px(label_width + 12));
+}
+
+void text_row(PanelContext& context, const char* mark, const char* label, const char* help,
+              const std::string& text) {
+  row_label(context, label, help);
+  plain_text(text);
+  context.marks.item(mark);
+}
+
+bool row_button(PanelContext& context, const std::string& id, const char* label, const char* help) {
+  const bool pressed = text_button(context.marks, "button." + id, context.tr(label), -1);
+  tooltip(context, help);
+  return pressed;
+}
+
+void run_button(PanelContext& context, const char* label, const char* command) {
+  const Command* known = context.commands.find(command);
+  if (row_button(context, command, label, known ? known->help.c_str() : "")) context.run(command);
 }
 
 void point_out(PanelContext& context, const char* id) {
@@ -136,65 +170,41 @@ void point_out(PanelContext& context, const char* id) {
 }
 
 void hint_text(const PanelContext& context, const char* english) {
-  const TextColour dim(palette().dim_text);
-  text_in_lines(context.tr(english));
+  coloured_lines(palette().dim_text, context.tr(english));
 }
 
 void value_row(PanelContext& context, const FieldSpec& spec, std::optional<double> value,
                const EditValues& edit) {
   ImGui::PushID(spec.id);
   drag_label(context, spec, value, edit);
-  number_field(context, spec, value, ImGui::GetContentRegionAvail().x, edit);
-  ImGui::PopID();
-}
-
-void slider_row(PanelContext& context, const FieldSpec& spec, double low, double high, bool logarithmic,
-                std::optional<double> value, const EditValues& edit) {
-  Editor& editor = context.editor;
-  ImGui::PushID(spec.id);
-  drag_label(context, spec, value, edit);
-  const float field = context.metrics.px(field_width);
-  ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - field - ImGui::GetStyle().ItemSpacing.x);
-  double shown = value.value_or(low);
-  ImGuiSliderFlags flags = ImGuiSliderFlags_NoInput | ImGuiSliderFlags_NoRoundToFormat;
-  if (logarithmic) flags |= ImGuiSliderFlags_Logarithmic;
-  if (ImGui::SliderScalar("##slider", ImGuiDataType_Double, &shown, &low, &high,
-                          value ? "" : context.tr("mixed"), flags)) {
-    // Four digits are enough for a hand on a slider and read better than sixteen.
-    const double digits = std::pow(10, 3 - std::floor(std::log10(std::max(std::abs(shown), 1e-9))));
-    const double rounded = spec.quantity.whole ? std::round(shown) : std::round(shown * digits) / digits;
-    editor.preview(edit(editor.history.current(), {ValueChange::Kind::set, rounded}));
+  float width = ImGui::GetContentRegionAvail().x;
+  if (spec.slider != SliderKind::none) {
+    const float slider = width - context.metrics.px(field_width) - ImGui::GetStyle().ItemSpacing.x;
+    value_slider(context, spec, value, slider, edit);
+    ImGui::SameLine();
+    width = context.metrics.px(field_width);
   }
-  tooltip(context, spec.help);
-  end_gesture(editor, spec.step);
-  context.marks.item(std::string("slider.") + spec.id);
-  value_menu(context, spec, value, edit, "##slider_menu");
-  ImGui::SameLine();
-  number_field(context, spec, value, field, edit);
+  number_field(context, spec, value, width, edit);
   ImGui::PopID();
 }
 
-void vector_row(PanelContext& context, const char* label, const char* help,
-                const std::array<FieldSpec, 3>& specs, const std::array<std::optional<double>, 3>& values,
-                const std::function<Result<Document>(const Document&, int axis, const ValueChange&)>& edit) {
-  static constexpr ImU32 axis_colours[] = {IM_COL32(0xe5, 0x48, 0x4d, 255), IM_COL32(0x46, 0xa7, 0x58, 255),
-                                           IM_COL32(0x3e, 0x82, 0xf7, 255)};
+void vector_row(PanelContext& context, const VectorSpec& spec,
+                const std::array<std::optional<double>, 3>& values, const EditAxis& edit) {
+  static constexpr std::array axis_names{"X", "Y", "Z"};
   // One number a row: three beside each other have no room for their units.
   for (int axis = 0; axis < 3; ++axis) {
     const auto i = static_cast<std::size_t>(axis);
-    FieldSpec spec = specs[i];
-    spec.label = axis == 0 ? label : "";
-    spec.help = help;
-    ImGui::PushID(spec.id);
+    const FieldSpec field{spec.ids[i], axis == 0 ? spec.label : "", spec.help, spec.step, spec.quantity};
+    ImGui::PushID(field.id);
     const EditValues edit_axis = [&edit, axis](const Document& document, const ValueChange& change) {
       return edit(document, axis, change);
     };
-    drag_label(context, spec, values[i], edit_axis);
+    drag_label(context, field, values[i], edit_axis);
     const ImVec2 at = ImGui::GetCursorScreenPos();
-    ImGui::GetWindowDrawList()->AddText({at.x, at.y + ImGui::GetStyle().FramePadding.y}, axis_colours[axis],
-                                        specs[i].label);
+    ImGui::GetWindowDrawList()->AddText({at.x, at.y + ImGui::GetStyle().FramePadding.y}, axis_colour(axis),
+                                        axis_names[i]);
     ImGui::SetCursorScreenPos({at.x + context.metrics.px(18), at.y});
-    number_field(context, spec, values[i], ImGui::GetContentRegionAvail().x, edit_axis);
+    number_field(context, field, values[i], ImGui::GetContentRegionAvail().x, edit_axis);
     ImGui::PopID();
   }
 }
@@ -202,17 +212,17 @@ void vector_row(PanelContext& context, const char* label, const char* help,
 void number_field(PanelContext& context, const FieldSpec& spec, std::optional<double> value, float width,
                   const EditValues& edit) {
   ImGui::PushID(spec.id);
-  ImGui::SetNextItemWidth(width);
   const std::string shown = value ? format_quantity(spec.quantity, *value) : std::string();
-  const ImGuiID id = ImGui::GetID("##number");
+  const std::string mark = std::string("field.") + spec.id;
+  const ImGuiID id = ImGui::GetID(("##" + mark).c_str());
   PanelState& state = context.state;
   std::string text = state.typing == id ? state.typed_text : shown;
-  Quantity quantity = spec.quantity;
   const bool asked = state.wanted_row == spec.id;
   if (asked) focus_next_field();
-  ImGui::InputTextWithHint("##number", context.tr("mixed"), &text,
-                           ImGuiInputTextFlags_AutoSelectAll | ImGuiInputTextFlags_CallbackHistory,
-                           &arrow_keys, &quantity);
+  text_field(context.marks, mark, text, width, context.tr("mixed"), ImGuiInputTextFlags_AutoSelectAll,
+             [&spec](const std::string& typed, int direction) {
+               return text_after_step(spec.quantity, typed, direction);
+             });
   if (ImGui::IsItemActivated()) {
     if (state.typing != 0 && state.typing != id)
       state.left = {state.typing, state.typed_text, state.typed_from};
@@ -227,7 +237,7 @@ void number_field(PanelContext& context, const FieldSpec& spec, std::optional<do
   }
   if (ImGui::IsItemActive()) {
     state.typed_text = text;
-    state.typing_row = std::string("field.") + spec.id;
+    state.typing_row = mark;
   }
   if (ImGui::IsItemDeactivated() && state.typing == id) {
     state.typing = 0;
@@ -240,7 +250,6 @@ void number_field(PanelContext& context, const FieldSpec& spec, std::optional<do
     const char* how = context.tr("Type a number, 1/4in or sqrt(2); +=, *= and /= change each value.");
     show_tip(*spec.help ? std::string(context.tr(spec.help)) + "\n" + how : std::string(how));
   }
-  context.marks.item(std::string("field.") + spec.id);
   value_menu(context, spec, value, edit);
   ImGui::PopID();
 }
@@ -248,20 +257,14 @@ void number_field(PanelContext& context, const FieldSpec& spec, std::optional<do
 std::optional<bool> check_row(PanelContext& context, const char* id, const char* label, const char* help,
                               std::optional<bool> value) {
   row_label(context, label, help);
-  ImGui::PushID(id);
-  bool on = value.value_or(false);
-  ImGui::PushItemFlag(ImGuiItemFlags_MixedValue, !value);
-  const bool changed = ImGui::Checkbox("##check", &on);
-  ImGui::PopItemFlag();
-  context.marks.item(std::string("check.") + id);
+  const auto changed = mixed_check(context.marks, std::string("check.") + id, "", value);
   point_out(context, id);
   tooltip(context, help);
   if (!value) {
     ImGui::SameLine();
-    ImGui::TextDisabled("%s", context.tr("mixed"));
+    dim_text(context.tr("mixed"));
   }
-  ImGui::PopID();
-  return changed ? std::optional(on) : std::nullopt;
+  return changed;
 }
 
 }  // namespace hariko

@@ -1,10 +1,9 @@
-#include "app/commands/command_line/export_command_line.hpp"
+#include "app/commands/command_line/subcommand_lines.hpp"
 
 #include <CLI/CLI.hpp>
 #include <numbers>
 
-#include "app/commands/command_line/distinct_files.hpp"
-#include "app/commands/command_line/positive_number.hpp"
+#include "app/commands/command_line/checks.hpp"
 #include "core/base/files/file_ending.hpp"
 #include "core/cad/kernel/cad_file.hpp"
 #include "core/exchange/mesh_file.hpp"

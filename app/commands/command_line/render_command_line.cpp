@@ -1,72 +1,47 @@
-#include "app/commands/command_line/render_command_line.hpp"
+#include "app/commands/command_line/subcommand_lines.hpp"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <cmath>
 #include <optional>
 
+#include "app/commands/command_line/checks.hpp"
 #include "core/base/files/file_ending.hpp"
 #include "core/document/words.hpp"
 #include "render/color_map.hpp"
 #include "render/picture.hpp"
+#include "ui/base/text_number.hpp"
 
 namespace hariko {
 
 namespace {
 
-std::optional<int> parse_int(std::string_view text) {
-  int value = 0;
-  const auto [stop, status] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (status != std::errc() || stop != text.data() + text.size()) return std::nullopt;
-  return value;
-}
-
-std::optional<double> parse_number(std::string_view text) {
-  double value = 0;
-  const auto [stop, status] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (status != std::errc() || stop != text.data() + text.size() || !std::isfinite(value))
-    return std::nullopt;
-  return value;
-}
-
 /// Parses a size in pixels, "1280x960".
 std::optional<PixelSize> parse_size(const std::string& text) {
-  const std::size_t cross = text.find('x');
-  if (cross == std::string::npos) return std::nullopt;
-  const auto width = parse_int(std::string_view(text).substr(0, cross));
-  const auto height = parse_int(std::string_view(text).substr(cross + 1));
-  const auto fits = [](const std::optional<int>& side) {
-    return side && *side >= 1 && *side <= max_picture_side;
-  };
-  if (!fits(width) || !fits(height)) return std::nullopt;
-  return PixelSize{*width, *height};
+  const auto size = numbers_in<int, 2>(text, 'x');
+  const auto fits = [](int side) { return side >= 1 && side <= max_picture_side; };
+  if (!size || !std::ranges::all_of(*size, fits)) return std::nullopt;
+  return PixelSize{(*size)[0], (*size)[1]};
 }
 
 /// Parses a page, "180x120mm", to pixels of 1/96 inch.
 std::optional<Vector2> parse_page(std::string_view text) {
   if (!text.ends_with("mm")) return std::nullopt;
   text.remove_suffix(2);
-  const std::size_t cross = text.find('x');
-  if (cross == std::string_view::npos) return std::nullopt;
-  const auto width = parse_number(text.substr(0, cross)), height = parse_number(text.substr(cross + 1));
-  const auto fits = [](const std::optional<double>& side) {
-    return side && *side >= least_page_side && *side <= most_page_side;
-  };
-  if (!fits(width) || !fits(height)) return std::nullopt;
-  return Vector2(pixels_per_millimetre * Vector2(*width, *height));
+  const auto page = numbers_in<double, 2>(text, 'x');
+  const auto fits = [](double side) { return side >= least_page_side && side <= most_page_side; };
+  if (!page || !std::ranges::all_of(*page, fits)) return std::nullopt;
+  return Vector2(pixels_per_millimetre * Vector2((*page)[0], (*page)[1]));
 }
 
 /// Parses a range of map values: "symmetric", "percentile", "full", or "-1,1".
 std::optional<MapRange> parse_range(std::string_view text) {
   if (const auto mode = enum_value<RangeMode>(text); mode && mode != RangeMode::manual)
     return MapRange{*mode};
-  const std::size_t comma = text.find(',');
-  if (comma == std::string_view::npos) return std::nullopt;
-  const auto low = parse_number(text.substr(0, comma)), high = parse_number(text.substr(comma + 1));
-  if (!low || !high || !(*low < *high)) return std::nullopt;
-  return MapRange{RangeMode::manual, *low, *high};
+  const auto ends = numbers_in<double, 2>(text, ',');
+  if (!ends || !((*ends)[0] < (*ends)[1])) return std::nullopt;
+  return MapRange{RangeMode::manual, (*ends)[0], (*ends)[1]};
 }
 
 /// Parses a colour, "#b9b4ac".
@@ -84,7 +59,7 @@ std::optional<SectionPlane> parse_section(std::string_view text) {
   const bool flipped = !text.empty() && text[0] == '-';
   if (flipped) text.remove_prefix(1);
   if (text.size() < 3 || text[0] < 'x' || text[0] > 'z' || text[1] != '=') return std::nullopt;
-  const auto offset = parse_number(text.substr(2));
+  const auto offset = number_in<double>(text.substr(2));
   if (!offset) return std::nullopt;
   SectionPlane plane;
   plane.normal = (flipped ? -1.0 : 1.0) * Vector3::Unit(text[0] - 'x');
@@ -98,16 +73,7 @@ std::optional<Vector3> parse_pull(std::string_view text, StandardView view) {
   const double side = text.starts_with('-') ? -1 : 1;
   const std::string_view axis = text.substr(side < 0 ? 1 : 0);
   if (axis == "x" || axis == "y" || axis == "z") return Vector3(side * Vector3::Unit(axis[0] - 'x'));
-  Vector3 out;
-  for (int i = 0; i < 3; ++i) {
-    const std::size_t comma = text.find(',');
-    const auto part = parse_number(text.substr(0, comma));
-    if (!part || (comma == std::string_view::npos) != (i == 2)) return std::nullopt;
-    out[i] = *part;
-    if (i < 2) text.remove_prefix(comma + 1);
-  }
-  if (out.isZero(0)) return std::nullopt;
-  return out;
+  return direction_in(text);
 }
 
 bool is_png(const std::string& path) {

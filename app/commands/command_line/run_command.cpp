@@ -2,19 +2,12 @@
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
-#include <optional>
 #include <system_error>
 
 #include "app/commands/command_line/construction_command_line.hpp"
-#include "app/commands/command_line/export_command_line.hpp"
-#include "app/commands/command_line/mesh_command_line.hpp"
-#include "app/commands/command_line/render_command_line.hpp"
-#include "app/commands/command_line/script_command_line.hpp"
-#include "app/commands/command_line/sections_command_line.hpp"
 #include "app/commands/command_line/standard_streams.hpp"
+#include "app/commands/command_line/subcommand_lines.hpp"
 #include "app/commands/command_line/suggestions.hpp"
-#include "app/commands/command_line/unfold_command_line.hpp"
-#include "app/commands/command_line/window_command_line.hpp"
 #include "app/commands/commands.hpp"
 #include "app/commands/console.hpp"
 #include "core/base/files/file_io.hpp"

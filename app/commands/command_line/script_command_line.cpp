@@ -1,4 +1,4 @@
-#include "app/commands/command_line/script_command_line.hpp"
+#include "app/commands/command_line/subcommand_lines.hpp"
 
 #include <CLI/CLI.hpp>
 

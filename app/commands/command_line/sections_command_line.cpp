@@ -1,13 +1,10 @@
-#include "app/commands/command_line/sections_command_line.hpp"
+#include "app/commands/command_line/subcommand_lines.hpp"
 
 #include <CLI/CLI.hpp>
-#include <charconv>
-#include <cmath>
 #include <optional>
 #include <string_view>
 
-#include "app/commands/command_line/distinct_files.hpp"
-#include "app/commands/command_line/positive_number.hpp"
+#include "app/commands/command_line/checks.hpp"
 #include "core/base/files/file_ending.hpp"
 
 namespace hariko {
@@ -17,18 +14,7 @@ namespace {
 /// Parses a direction: "x", "y", "z", or "1,0,2"; nothing for others and for zero.
 std::optional<Vector3> parse_across(std::string_view text) {
   if (text == "x" || text == "y" || text == "z") return Vector3(Vector3::Unit(text[0] - 'x'));
-  Vector3 out;
-  for (int i = 0; i < 3; ++i) {
-    const std::size_t comma = text.find(',');
-    if ((comma == std::string_view::npos) != (i == 2)) return std::nullopt;
-    const std::string_view part = text.substr(0, comma);
-    const auto [stop, status] = std::from_chars(part.data(), part.data() + part.size(), out[i]);
-    if (status != std::errc() || stop != part.data() + part.size() || !std::isfinite(out[i]))
-      return std::nullopt;
-    if (i < 2) text.remove_prefix(comma + 1);
-  }
-  if (out.isZero(0)) return std::nullopt;
-  return out;
+  return direction_in(text);
 }
 
 }  // namespace
@@ -36,8 +22,8 @@ std::optional<Vector3> parse_across(std::string_view text) {
 void SectionsCommandLine::add_to(CLI::App& app) {
   command_ = app.add_subcommand(
       "sections", "Writes the curves in which parallel planes cut the visible objects, with curvature combs");
-  command_->add_option("FILE", file_, "Document or mesh")->required();
-  command_->add_option("OUT", out_, "File to write: *.svg or *.dxf")->required();
+  command_->add_option("FILE", arguments_.file, "Document or mesh")->required();
+  command_->add_option("OUT", arguments_.out, "File to write: *.svg or *.dxf")->required();
   command_->add_option("--across", across_, "Direction of the planes: x, y, z, or X,Y,Z")
       ->capture_default_str();
   command_->add_option("--planes", arguments_.count, "Number of planes")
@@ -61,18 +47,16 @@ void SectionsCommandLine::add_to(CLI::App& app) {
 }
 
 void SectionsCommandLine::check() const {
-  const std::string ending = lower_ending(out_);
+  const std::string ending = lower_ending(arguments_.out);
   if (ending != ".svg" && ending != ".dxf")
     throw CLI::ValidationError("OUT", "the name must end in .svg or .dxf");
   if (!parse_across(across_))
     throw CLI::ValidationError("--across", "must be x, y, z, or three numbers as 1,0,2");
-  check_distinct(file_, out_);
+  check_distinct(arguments_.file, arguments_.out);
 }
 
 SectionsArguments SectionsCommandLine::arguments(const Construction& construction) const {
   SectionsArguments out = arguments_;
-  out.file = file_;
-  out.out = out_;
   out.direction = *parse_across(across_);
   out.combs.shown = combs_ == "on";
   out.construction = construction;

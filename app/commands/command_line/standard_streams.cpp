@@ -6,13 +6,12 @@
 #include <cerrno>
 #include <cstdio>
 #include <fstream>
-#include <iterator>
 #include <optional>
 #include <vector>
 
 #include "app/commands/commands.hpp"
 #include "app/commands/console.hpp"
-#include "app/files/content_ending.hpp"
+#include "app/files/file_kind.hpp"
 #include "core/base/files/file_io.hpp"
 
 namespace hariko {

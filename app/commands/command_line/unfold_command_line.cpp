@@ -1,24 +1,16 @@
-#include "app/commands/command_line/unfold_command_line.hpp"
+#include "app/commands/command_line/subcommand_lines.hpp"
 
 #include <CLI/CLI.hpp>
-#include <charconv>
-#include <cmath>
 #include <numbers>
 
-#include "app/commands/command_line/positive_number.hpp"
+#include "app/commands/command_line/checks.hpp"
 #include "app/files/sheet_file.hpp"
 #include "core/document/words.hpp"
+#include "ui/base/text_number.hpp"
 
 namespace hariko {
 
 namespace {
-
-std::optional<double> parse_length(std::string_view text) {
-  double value = 0;
-  const auto [stop, status] = std::from_chars(text.data(), text.data() + text.size(), value);
-  const bool fine = status == std::errc() && stop == text.data() + text.size() && std::isfinite(value);
-  return fine && value > 0 ? std::optional(value) : std::nullopt;
-}
 
 /// Parses a paper size: "A4", "A3", "Letter", or "WxH" in mm.
 std::optional<PaperSize> parse_paper(std::string text) {
@@ -27,12 +19,9 @@ std::optional<PaperSize> parse_paper(std::string text) {
   if (text == "a4") return a4_paper;
   if (text == "a3") return a3_paper;
   if (text == "letter") return letter_paper;
-  const std::size_t cross = text.find('x');
-  if (cross == std::string::npos) return {};
-  const auto width = parse_length(std::string_view(text).substr(0, cross));
-  const auto height = parse_length(std::string_view(text).substr(cross + 1));
-  if (!width || !height) return {};
-  return PaperSize{*width, *height};
+  const auto size = numbers_in<double, 2>(text, 'x');
+  if (!size || !((*size)[0] > 0 && (*size)[1] > 0)) return {};
+  return PaperSize{(*size)[0], (*size)[1]};
 }
 
 }  // namespace

@@ -1,8 +1,8 @@
-#include "app/commands/command_line/window_command_line.hpp"
+#include "app/commands/command_line/subcommand_lines.hpp"
 
 #include <CLI/CLI.hpp>
 
-#include "app/commands/command_line/positive_number.hpp"
+#include "app/commands/command_line/checks.hpp"
 #include "app/commands/commands.hpp"
 
 namespace hariko {

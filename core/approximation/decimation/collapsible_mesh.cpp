@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 
+#include "core/base/index_list.hpp"
 #include "core/geometry/angles.hpp"
 #include "core/geometry/triangle.hpp"
 
@@ -86,8 +87,7 @@ void CollapsibleMesh::neighbours(Index vertex, std::vector<Index>& out) const {
   for (const Index f : round_[vertex])
     for (const Index w : triangles_[f])
       if (w != vertex) out.push_back(w);
-  std::sort(out.begin(), out.end());
-  out.erase(std::unique(out.begin(), out.end()), out.end());
+  sort_unique(out);
 }
 
 bool CollapsibleMesh::may_collapse(Index v, Index w) const {

@@ -9,6 +9,7 @@
 #include "core/approximation/decimation/collapsible_mesh.hpp"
 #include "core/approximation/hausdorff_bound.hpp"
 #include "core/approximation/luminance.hpp"
+#include "core/base/index_list.hpp"
 #include "core/base/parallel.hpp"
 #include "core/geometry/angles.hpp"
 #include "core/geometry/triangle.hpp"
@@ -95,8 +96,7 @@ class Decimator {
       std::vector<Index> around;
       mesh_.neighbours(top.to, around);
       touched.insert(touched.end(), around.begin(), around.end());
-      std::sort(touched.begin(), touched.end());
-      touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
+      sort_unique(touched);
       for (const Index v : touched) {
         ++version_[v];
         push(v);

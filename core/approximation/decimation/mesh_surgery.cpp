@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/index_list.hpp"
+
 namespace hariko {
 
 namespace {
@@ -97,12 +99,8 @@ void MeshSurgery::save(Index facet, Change& change) {
   change.before.emplace_back(facet, mesh_.facets[facet]);
 }
 
-bool MeshSurgery::collapse(Index half_edge, Change& change) {
-  change.clear();
-  const Index v = mesh_.from(half_edge), w = mesh_.to(half_edge), across = mesh_.twin[half_edge];
-  const Freedom own = freedom(v);
-  if (own == Freedom::fixed || (own == Freedom::border && !is_border_edge(half_edge))) return false;
-  star(v, star_);
+bool MeshSurgery::keeps_manifold(Index half_edge) const {
+  star(mesh_.from(half_edge), star_);
   // Link condition: common neighbours are the corners opposite to the edge, and no others.
   std::vector<Index> round_v, round_w;
   const auto neighbours = [&](const std::vector<Index>& leaving, std::vector<Index>& out) {
@@ -110,18 +108,25 @@ bool MeshSurgery::collapse(Index half_edge, Change& change) {
       out.push_back(mesh_.to(h));
       out.push_back(mesh_.from(previous_of(h)));
     }
-    std::sort(out.begin(), out.end());
-    out.erase(std::unique(out.begin(), out.end()), out.end());
+    sort_unique(out);
   };
   neighbours(star_, round_v);
-  star(w, other_star_);
+  star(mesh_.to(half_edge), other_star_);
   neighbours(other_star_, round_w);
   std::vector<Index> both;
   std::set_intersection(round_v.begin(), round_v.end(), round_w.begin(), round_w.end(),
                         std::back_inserter(both));
-  if (both.size() != (across == no_index ? 1U : 2U)) return false;
   // At least one facet must remain in the star.
-  if (star_.size() <= (across == no_index ? 1U : 2U)) return false;
+  const std::size_t opposite = mesh_.twin[half_edge] == no_index ? 1 : 2;
+  return both.size() == opposite && star_.size() > opposite;
+}
+
+bool MeshSurgery::collapse(Index half_edge, Change& change) {
+  change.clear();
+  const Index v = mesh_.from(half_edge), w = mesh_.to(half_edge), across = mesh_.twin[half_edge];
+  const Freedom own = freedom(v);
+  if (own == Freedom::fixed || (own == Freedom::border && !is_border_edge(half_edge))) return false;
+  if (!keeps_manifold(half_edge)) return false;
 
   // Parameter of w, in the patch on the facet's side of the border that v lies on.
   const auto parameter_of = [&](const ParameterFacet& facet, Index h) -> std::optional<Vector2> {
@@ -143,9 +148,6 @@ bool MeshSurgery::collapse(Index half_edge, Change& change) {
     if (!target) return false;
     targets.emplace_back(h, *target);
   }
-  const std::vector<Index> removed = across == no_index
-                                         ? std::vector<Index>{facet_of(half_edge)}
-                                         : std::vector<Index>{facet_of(half_edge), facet_of(across)};
   for (const auto& [h, target] : targets) {
     const Index f = facet_of(h);
     save(f, change);
@@ -160,7 +162,8 @@ bool MeshSurgery::collapse(Index half_edge, Change& change) {
   };
   close(next_of(half_edge), previous_of(half_edge));
   if (across != no_index) close(next_of(across), previous_of(across));
-  change.removed = removed;
+  change.removed.push_back(facet_of(half_edge));
+  if (across != no_index) change.removed.push_back(facet_of(across));
   // No facet may be inverted in its parameters.
   for (const Index f : change.facets) {
     if (turned(f)) {

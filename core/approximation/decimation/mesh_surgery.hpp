@@ -67,6 +67,8 @@ class MeshSurgery {
   bool linked(Index a, Index b) const;
   void set_twin(Index half_edge, Index other, Change& change);
   void save(Index facet, Change& change);
+  /// Whether the collapse of a half-edge keeps the mesh a manifold. Sets `star_` to the star of its origin.
+  bool keeps_manifold(Index half_edge) const;
 
   const SurfaceSampler& sampler_;
   ParameterMesh& mesh_;

@@ -11,6 +11,7 @@
 #include "core/approximation/refinement/facet_error.hpp"
 #include "core/approximation/refinement/fold_error.hpp"
 #include "core/approximation/refinement/patch_grid_mesh.hpp"
+#include "core/base/index_list.hpp"
 #include "core/geometry/triangle.hpp"
 
 namespace hariko {
@@ -224,8 +225,7 @@ class Optimiser {
         touched.push_back(mesh_.to(h));
         touched.push_back(mesh_.from(previous_of(h)));
       }
-      std::sort(touched.begin(), touched.end());
-      touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
+      sort_unique(touched);
       for (const Index v : touched) {
         ++version[v];
         push(v);

@@ -52,31 +52,4 @@ Result<Document> add_live_copies(const Document& document, std::span<const Objec
   return out;
 }
 
-Result<AddedObjects> copies_to_objects(const Document& document, std::span<const ObjectId> objects) {
-  AddedObjects out{document, {}};
-  for (const ObjectId id : objects) {
-    const std::shared_ptr<const Object> object = out.document.find_shared(id);
-    if (!object) return detail::unknown_object(id);
-    if (object->copies->empty()) continue;
-    auto single = set_copies(out.document, id, {});
-    if (!single) return single.error();
-    const std::vector<Similarity> places = places_of(*object);
-    auto added = duplicate_objects(*single, std::span(&id, 1), places.size() - 1,
-                                   [&](const Object& copy, std::size_t number) -> Result<Object> {
-                                     const auto placed = detail::checked_transform(places[number]);
-                                     if (!placed) return placed.error();
-                                     Object moved = copy;
-                                     moved.transform = *placed;
-                                     return moved;
-                                   });
-    if (!added) return added.error();
-    out.document = std::move(added->document);
-    out.ids.insert(out.ids.end(), added->ids.begin(), added->ids.end());
-  }
-  if (out.ids.empty())
-    return make_error(e_no_live_copies, "What is chosen has no live copies.",
-                      "Choose an object with live copies.");
-  return out;
-}
-
 }  // namespace hariko

@@ -22,9 +22,4 @@ Result<Document> set_copies(const Document& document, ObjectId object, LiveCopie
 Result<Document> add_live_copies(const Document& document, std::span<const ObjectId> objects,
                                  const CopyArray& array);
 
-/// Makes objects of the live copies of objects, as `duplicate_objects` makes them, at the same places; the
-/// originals stay at their own. The ids are those of the new objects. Errors: E_UNKNOWN_OBJECT, E_LOCKED,
-/// E_NO_LIVE_COPIES (none of the objects has any), E_TRANSFORM_INVALID, E_TOO_MANY_OBJECTS.
-Result<AddedObjects> copies_to_objects(const Document& document, std::span<const ObjectId> objects);
-
 }  // namespace hariko

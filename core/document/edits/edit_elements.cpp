@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/base/index_list.hpp"
 #include "core/document/edits/edge_set.hpp"
 #include "core/document/edits/edit_support.hpp"
 #include "core/network/network.hpp"
@@ -53,8 +54,7 @@ template <class Id, class Value>
 FlatMap<Id, Value> with_entries(const FlatMap<Id, Value>& map, std::span<const Id> ids,
                                 const std::optional<Value>& value) {
   std::vector<Id> sorted(ids.begin(), ids.end());
-  std::sort(sorted.begin(), sorted.end());
-  sorted.erase(std::unique(sorted.begin(), sorted.end()), sorted.end());
+  sort_unique(sorted);
   FlatMap<Id, Value> result;
   auto next = sorted.begin();
   const auto add_before = [&](const Id* limit) {
@@ -73,14 +73,9 @@ FlatMap<Id, Value> with_entries(const FlatMap<Id, Value>& map, std::span<const I
 std::vector<FaceId> faces_round(const Polyhedron& polyhedron, std::span<const VertexId> vertices) {
   std::vector<FaceId> out;
   const HalfEdgeMesh& mesh = polyhedron.topology();
-  for (const VertexId id : vertices) {
-    const Index first = mesh.outgoing(polyhedron.find(id));
-    for (Index h = first; h != no_index;) {
+  for (const VertexId id : vertices)
+    for (const Index h : mesh.fan_corners(polyhedron.find(id)))
       out.push_back(polyhedron.face_id(mesh.face(h)));
-      h = mesh.rotate(h);
-      if (h == first) break;
-    }
-  }
   return out;
 }
 
@@ -218,18 +213,6 @@ Result<Document> set_crease(const Document& document, ObjectId object, std::span
 Result<Document> set_vertex_tag(const Document& document, ObjectId object, std::span<const VertexId> vertices,
                                 VertexTag tag) {
   return set_shaping(document, object, vertices, &Shaping::tag, tag, VertexTag::automatic);
-}
-
-Result<Document> set_pin(const Document& document, ObjectId object, VertexId vertex, Pin pin) {
-  return change_polyhedron(document, object, [&](PolyhedronSource& source) -> Result<Done> {
-    if (const auto checked = check_pin(pin); !checked) return checked.error();
-    const std::span<const VertexId> one(&vertex, 1);
-    if (const auto checked = check_elements(source.polyhedron, one); !checked) return checked.error();
-    Shaping shaping = *source.shaping;
-    shaping.pin.set(vertex, std::move(pin));
-    source.shaping = std::move(shaping);
-    return Done{};
-  });
 }
 
 Result<Document> clear_pins(const Document& document, ObjectId object, std::span<const VertexId> vertices) {

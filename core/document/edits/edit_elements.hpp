@@ -56,10 +56,6 @@ Result<Document> set_crease(const Document& document, ObjectId object, std::span
 Result<Document> set_vertex_tag(const Document& document, ObjectId object, std::span<const VertexId> vertices,
                                 VertexTag tag);
 
-/// Fixes the tangent plane or the tangents of a vertex. Errors: E_PIN_INVALID (vectors missing, too many, not
-/// finite, or a zero normal). Only the network knows whether the number of tangents fits the vertex:
-/// E_PIN_MISMATCH on rebuild.
-Result<Document> set_pin(const Document& document, ObjectId object, VertexId vertex, Pin pin);
 /// Removes pins, kept forms, and kept areas of the faces round the vertices.
 Result<Document> clear_pins(const Document& document, ObjectId object, std::span<const VertexId> vertices);
 
@@ -78,6 +74,8 @@ Result<Document> set_mirror(const Document& document, ObjectId object, const std
 /// Checks of the edits above, for values read from files.
 Result<Done> check_alpha(double alpha);
 Result<Done> check_beta(double beta);
+/// Checks a pin. E_PIN_INVALID: vectors missing, too many, not finite, or a zero normal. Only the network
+/// knows whether the number of tangents fits the vertex: E_PIN_MISMATCH on rebuild.
 Result<Done> check_pin(const Pin& pin);
 /// Checks a kept form. E_FORM_INVALID: a number that is not finite or above `max_form_number`.
 Result<Done> check_form(const KeptForm& form);

@@ -61,13 +61,6 @@ const SavedView* find_view(const Document& document, std::string_view name) {
   return found == all.end() ? nullptr : &*found;
 }
 
-std::string next_view_name(const Document& document) {
-  for (std::size_t number = 1;; ++number) {
-    std::string name = "View " + std::to_string(number);
-    if (!find_view(document, name)) return name;
-  }
-}
-
 Result<Document> add_view(const Document& document, const SavedView& view) {
   if (const auto checked = check_view(view); !checked) return checked.error();
   if (find_view(document, view.name)) return view_name_taken(view.name);

@@ -16,9 +16,6 @@ inline constexpr Code e_too_many_views{"E_TOO_MANY_VIEWS"};
 /// Saved view with this name; null where there is none. O(views).
 const SavedView* find_view(const Document& document, std::string_view name);
 
-/// Name for a new view: the first of "View 1", "View 2" ... that is free. O(views squared).
-std::string next_view_name(const Document& document);
-
 /// Appends a view. Errors: those of `check_view`, E_VIEW_NAME_TAKEN, E_TOO_MANY_VIEWS.
 Result<Document> add_view(const Document& document, const SavedView& view);
 

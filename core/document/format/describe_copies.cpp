@@ -1,4 +1,4 @@
-// Live copies in files. Since version 9.
+// Live copies in files. Since version 9; mirrors since version 10.
 
 #include "core/document/format/archive.hpp"
 #include "core/document/format/described.hpp"
@@ -26,6 +26,14 @@ void describe(Archive& archive, Described<Archive, RingOfCopies>& ring) {
 }
 
 template <class Archive>
+void describe(Archive& archive, Described<Archive, MirrorOfCopies>& mirror) {
+  archive.line();
+  archive.constant("kind", "mirror");
+  archive.required("point", mirror.point);
+  archive.required("normal", mirror.normal);
+}
+
+template <class Archive>
 void describe(Archive& archive, Described<Archive, ListOfCopies>& list) {
   archive.lines();
   archive.constant("kind", "list");
@@ -50,8 +58,10 @@ static void read_array_of_copies(JsonReader& reader, const JsonCursor& at, CopyA
     array = array_of<RingOfCopies>(reader, at);
   else if (kind == "list")
     array = array_of<ListOfCopies>(reader, at);
+  else if (kind == "mirror")
+    array = array_of<MirrorOfCopies>(reader, at);
   else
-    reader.fail(at, "live copies are a \"row\", a \"ring\" or a \"list\"");
+    reader.fail(at, "live copies are a \"row\", a \"ring\", a \"list\" or a \"mirror\"");
 }
 
 void read_value(JsonReader& reader, const JsonCursor& at, LiveCopies& copies) {

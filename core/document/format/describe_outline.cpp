@@ -37,9 +37,21 @@ void describe_members(Archive& archive, Described<Archive, Outline>& outline) {
   archive.required_list("loops", outline.loops, &room);
 }
 
+/// Mode of an outline; files before version 10 may have the word of one that does not exist any more.
+static void describe_outline_mode(ReadArchive& archive, OutlineSettings& settings) {
+  archive.with("method", [&](const JsonCursor& at) {
+    settings.mode_replaced = at.value().string() && *at.value().string() == replaced_outline_mode;
+    settings.mode = GaussMode::umbilic;
+    if (!settings.mode_replaced) read_value(archive.reader(), at, settings.mode);
+  });
+}
+static void describe_outline_mode(WriteArchive& archive, const OutlineSettings& settings) {
+  archive.member("method", settings.mode);
+}
+
 template <class Archive>
 void describe_members(Archive& archive, Described<Archive, OutlineSettings>& settings) {
-  archive.member("method", settings.mode);
+  describe_outline_mode(archive, settings);
   archive.member("curvature_sign", settings.sign);
   archive.member("radius", settings.radius,
                  Range{OutlineSettings::smallest_radius, OutlineSettings::largest_radius,

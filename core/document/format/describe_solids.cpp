@@ -35,7 +35,7 @@ namespace detail {
 
 static void read_value(JsonReader& reader, const JsonCursor& at, SolidKind& kind) {
   const std::string name = reader.string(at);
-  if (const auto named = solid_kind_named(name))
+  if (const auto named = enum_value<SolidKind>(name))
     kind = *named;
   else
     reader.fail(at, "there is no solid \"" + shortened(name, 120) + "\"");
@@ -151,13 +151,14 @@ static void settle_method(const ReadArchive& archive, SettingsBefore before, Env
   }
   const std::string_view old[] = {"tightness", "waist", "detail", "merge_deg", "cage_detail"};
   if (!before.method && std::ranges::none_of(old, has)) return choose_ball(out);
-  s.lost = std::move(before.lost);
+  s.converted.lost = std::move(before.lost);
   if (before.method == FileMethod::network || (before.method != FileMethod::field && before.tightness == 0)) {
     s.method = EnvelopeMethod::network;
-    if (before.tightness > 0) s.lost = "tightness" + (s.lost.empty() ? "" : ", " + s.lost);
+    if (before.tightness > 0)
+      s.converted.lost = "tightness" + (s.converted.lost.empty() ? "" : ", " + s.converted.lost);
   } else {
     choose_ball_as_before(out, before.tightness);
-    s.from_before = true;
+    s.converted.method = true;
   }
 }
 

@@ -61,10 +61,13 @@ struct TakeFarOrigin {
     source.outline = std::move(outline);
     return origin;
   }
-  template <class Other>
-  Vector3 operator()(Other&) const {
-    return Vector3::Zero();
-  }
+  // Those with an origin of their own, or without points.
+  Vector3 operator()(PolyhedronSource&) const { return Vector3::Zero(); }
+  Vector3 operator()(MeshSource&) const { return Vector3::Zero(); }
+  Vector3 operator()(PatchSource&) const { return Vector3::Zero(); }
+  Vector3 operator()(BezierSource&) const { return Vector3::Zero(); }
+  Vector3 operator()(PictureSource&) const { return Vector3::Zero(); }
+  Vector3 operator()(UnknownSource&) const { return Vector3::Zero(); }
 };
 
 }  // namespace

@@ -15,7 +15,7 @@ inline constexpr Code e_format{"E_FORMAT"};
 inline constexpr Code e_version_newer{"E_VERSION_NEWER"};
 
 /// Version that `write_document` writes, and the highest that `read_document` reads.
-inline constexpr int format_version = 9;
+inline constexpr int format_version = 10;
 
 /// Limits on input, so that no file can exhaust memory or time.
 inline constexpr std::size_t max_document_bytes = std::size_t(256) << 20;

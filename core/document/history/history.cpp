@@ -15,7 +15,7 @@ History::History(Document document, std::size_t byte_limit) : byte_limit_(byte_l
   memory_.add(steps_.front().document);
 }
 
-bool History::push(Document document, std::string label) {
+bool History::push(Document document, Phrase label) {
   preview_.reset();
   if (document == current()) return false;
   forget_redo();
@@ -26,7 +26,7 @@ bool History::push(Document document, std::string label) {
   return true;
 }
 
-bool History::commit_preview(std::string label) {
+bool History::commit_preview(Phrase label) {
   if (!preview_) return false;
   return push(*std::exchange(preview_, std::nullopt), std::move(label));
 }
@@ -53,15 +53,21 @@ bool History::go_to(std::size_t position) {
 }
 
 const std::string& History::undo_label() const {
-  return can_undo() ? steps_[position_].label : no_label;
+  return can_undo() ? steps_[position_].label.english() : no_label;
 }
 const std::string& History::redo_label() const {
-  return can_redo() ? steps_[position_ + 1].label : no_label;
+  return can_redo() ? steps_[position_ + 1].label.english() : no_label;
+}
+
+std::vector<Phrase> History::phrases() const {
+  std::vector<Phrase> phrases;
+  for (std::size_t i = 1; i < steps_.size(); ++i) phrases.push_back(steps_[i].label);
+  return phrases;
 }
 
 std::vector<std::string> History::labels() const {
   std::vector<std::string> labels;
-  for (std::size_t i = 1; i < steps_.size(); ++i) labels.push_back(steps_[i].label);
+  for (std::size_t i = 1; i < steps_.size(); ++i) labels.push_back(steps_[i].label.english());
   return labels;
 }
 

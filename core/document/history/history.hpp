@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/text/phrase.hpp"
 #include "core/document/document.hpp"
 #include "core/document/history/memory.hpp"
 
@@ -31,13 +32,13 @@ class History {
 
   /// Commits a document and drops the redo steps. False, and no step, when it equals the current one. Ends a
   /// gesture. `label` names the change in the undo menu, such as "Move 3 vertices".
-  bool push(Document document, std::string label);
+  bool push(Document document, Phrase label);
 
   bool in_gesture() const { return preview_.has_value(); }
   /// Starts or continues a gesture.
   void preview(Document document) { preview_ = std::move(document); }
   /// Makes one step of the gesture. False when it changed nothing or there is none.
-  bool commit_preview(std::string label);
+  bool commit_preview(Phrase label);
   void cancel_preview() { preview_.reset(); }
 
   /// Moves one step back or forward; cancels a gesture first. False when there is nothing to undo or redo.
@@ -45,11 +46,12 @@ class History {
   bool redo();
   bool can_undo() const { return position_ > 0; }
   bool can_redo() const { return position_ + 1 < steps_.size(); }
-  /// Label of the change that undo would revert or redo would repeat; empty when there is none.
+  /// Label of the change that undo would revert or redo would repeat, in English; empty when there is none.
   const std::string& undo_label() const;
   const std::string& redo_label() const;
 
-  /// Labels of all steps, oldest first; entry i led from state i to state i + 1.
+  /// Labels of all steps, oldest first; entry i led from state i to state i + 1. Those in English are filled.
+  std::vector<Phrase> phrases() const;
   std::vector<std::string> labels() const;
   /// Index of the current state: the number of steps that can be undone.
   std::size_t position() const { return position_; }
@@ -84,7 +86,7 @@ class History {
  private:
   struct Step {
     Document document;
-    std::string label;  ///< names the change that led to this state
+    Phrase label;  ///< names the change that led to this state
     std::uint64_t serial = 0;
   };
 

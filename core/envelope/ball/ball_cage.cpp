@@ -7,17 +7,12 @@
 #include <span>
 
 #include "core/base/disjoint_sets.hpp"
-#include "core/envelope/ball/contour.hpp"
+#include "core/geometry/edge_key.hpp"
 
 namespace hariko {
 
 namespace {
 
-constexpr int deepest_level = 3;
-/// Least cosine of the angle between normals in a cube: 0 occurs at edges and corners of boxes, -1 at plates
-/// and needles.
-constexpr double widest_spread = -0.85;
-constexpr double near_share = 0.45;  ///< largest distance of tested points from the surface, in cube edges
 constexpr int first_steps = 6;
 constexpr int even_rounds = 8;  ///< more of them make corners of quads blunt
 constexpr double even_share = 0.6;
@@ -25,53 +20,6 @@ constexpr int spread_rounds = 8;
 constexpr double least_ratio = 0.1;    ///< ratio of neighbouring sides of a quad
 constexpr double least_corner = 0.2;   ///< sine of a quad's corner
 constexpr double shortest_side = 0.3;  ///< in cube edges: shorter sides are collapsed
-
-/// Halves cubes in which the surface's normals spread too widely for one vertex.
-class CubeSplitter {
- public:
-  CubeSplitter(const SplineField& field, CubeTree& cubes) : field_(field), cubes_(cubes) {}
-
-  void look_at(const Cube& cube, bool ahead) {
-    if (cube.level >= cubes_.depth()) return;
-    const double edge = cubes_.edge(cube.level);
-    const int steps = cubes_.steps(cube.level);
-    const std::array<int, 3> low{cube.at[0] * steps, cube.at[1] * steps, cube.at[2] * steps};
-    const Vector3 corner = cubes_.point(low);
-    if (!spreads(corner, edge) && !(ahead && part_spreads(corner, 0.5 * edge))) return;
-    cubes_.split(cube);
-    for (int c = 0; c < 8; ++c)
-      look_at({cube.level + 1,
-               {2 * cube.at[0] + (c & 1), 2 * cube.at[1] + (c >> 1 & 1), 2 * cube.at[2] + (c >> 2)}},
-              false);
-  }
-
- private:
-  /// Whether normals spread in one of the halves of a cube.
-  bool part_spreads(const Vector3& corner, double half) {
-    for (int c = 0; c < 8; ++c)
-      if (spreads(corner + half * Vector3(c & 1, c >> 1 & 1, c >> 2), half)) return true;
-    return false;
-  }
-
-  bool spreads(const Vector3& corner, double edge) {
-    const double middle = field_.value(corner + Vector3::Constant(0.5 * edge));
-    if (std::abs(middle) > std::sqrt(3.0) * 0.5 * edge) return false;
-    normals_.clear();
-    for (int c = 0; c < 27; ++c) {
-      const Vector3 p = corner + 0.5 * edge * Vector3(c % 3, c / 3 % 3, c / 9);
-      if (std::abs(field_.value(p)) > near_share * edge) continue;
-      const Vector3 normal = field_.at(p).gradient.stableNormalized();
-      for (const Vector3& other : normals_)
-        if (normal.dot(other) < widest_spread) return true;
-      normals_.push_back(normal);
-    }
-    return false;
-  }
-
-  const SplineField& field_;
-  CubeTree& cubes_;
-  std::vector<Vector3> normals_;
-};
 
 /// Collapses short sides, keeping the faces round each vertex.
 class SideCollapse {
@@ -229,7 +177,7 @@ BallCage starred(const SplineField& field, const CubeTree& cubes, const Contour&
                  std::vector<double>& sizes) {
   BallCage out;
   std::vector<Index> number(mesh.vertices.size(), no_index);
-  std::map<std::pair<Index, Index>, Index> middles;
+  std::map<std::uint64_t, Index> middles;  // by edge
   const auto add = [&](const Vector3& p, double size) {
     out.positions.push_back(projected(field, p, first_steps, 0.5 * size));
     sizes.push_back(size);
@@ -247,8 +195,7 @@ BallCage starred(const SplineField& field, const CubeTree& cubes, const Contour&
       sum += a.position / double(n);
       if (number[face[i]] == no_index) number[face[i]] = add(a.position, own);
       corners[i] = number[face[i]];
-      const auto ends = std::minmax(face[i], face[(i + 1) % n]);
-      const auto [found, fresh] = middles.try_emplace({ends.first, ends.second}, no_index);
+      const auto [found, fresh] = middles.try_emplace(edge_key(face[i], face[(i + 1) % n]), no_index);
       if (fresh) found->second = add(0.5 * (a.position + b.position), std::min(own, other));
       sides[i] = found->second;
     }
@@ -344,23 +291,6 @@ class Evening {
 
 }  // namespace
 
-CubeTree surface_cubes(const SplineField& field, const Vector3& origin, double edge, bool ahead) {
-  Vector3 low;
-  std::array<int, 3> size{};
-  for (Eigen::Index a = 0; a < 3; ++a) {
-    const double begin = field.corner()[a] + origin[a],
-                 end = begin + (field.size()[std::size_t(a)] - 1) * field.spacing();
-    low[a] = std::floor(begin / edge) * edge - origin[a];
-    size[std::size_t(a)] = int(std::ceil(end / edge) - std::floor(begin / edge));
-  }
-  CubeTree out(low, size, edge, deepest_level);
-  CubeSplitter splitter(field, out);
-  for (int k = 0; k < size[2]; ++k)
-    for (int j = 0; j < size[1]; ++j)
-      for (int i = 0; i < size[0]; ++i) splitter.look_at({0, {i, j, k}}, ahead);
-  return out;
-}
-
 BallCage ball_cage(const SplineField& field, CubeTree& cubes) {
   Contour mesh = whole_contour(field, cubes);
   std::vector<double> sizes;
@@ -384,15 +314,12 @@ BallCage ball_cage(const SplineField& field, CubeTree& cubes) {
 BallCage cut_cage(const SplineField& field, const BallCage& cage, std::span<const HermitePatch> patches,
                   std::span<const QuadCuts> cuts, double longest) {
   // Sides are numbered; opposite sides of a quad are cut together.
-  std::map<std::pair<Index, Index>, Index> sides;
+  std::map<std::uint64_t, Index> sides;  // by edge
   std::vector<std::array<Index, 4>> of_quad;
   for (const auto& quad : cage.quads) {
-    std::array<Index, 4> mine;
-    for (std::size_t i = 0; i < 4; ++i) {
-      const auto ends = std::minmax(quad[i], quad[(i + 1) % 4]);
-      mine[i] = sides.try_emplace({ends.first, ends.second}, Index(sides.size())).first->second;
-    }
-    of_quad.push_back(mine);
+    std::array<Index, 4>& mine = of_quad.emplace_back();
+    for (std::size_t i = 0; i < 4; ++i)
+      mine[i] = sides.try_emplace(edge_key(quad[i], quad[(i + 1) % 4]), Index(sides.size())).first->second;
   }
   DisjointSets chords(sides.size());
   for (const auto& mine : of_quad) chords.join(mine[0], mine[2]), chords.join(mine[1], mine[3]);

@@ -1,16 +1,31 @@
 #pragma once
 
-// BallCage: quad mesh on the zero surface of a field, whose quads become the patches (docs/envelope.md).
-
-#include <array>
-#include <span>
-#include <vector>
+// BallCage: quad mesh on the zero surface of a field, whose quads become the patches, and the contour that it
+// is made of (docs/envelope.md).
 
 #include "core/envelope/ball/cube_tree.hpp"
 #include "core/envelope/ball/hermite_patch.hpp"
-#include "core/envelope/ball/spline_field.hpp"
 
 namespace hariko {
+
+/// Vertex of a contour, in one cube.
+struct ContourVertex {
+  Cube cube;
+  Vector3 position = Vector3::Zero();  ///< mean of the points where the surface crosses the cube's edges
+  /// Number of faces at the vertex; two where the surface crosses only one split edge of its cube.
+  int faces = 0;
+};
+
+/// Closed manifold mesh made by dual marching cubes over cubes of several sizes.
+struct Contour {
+  std::vector<ContourVertex> vertices;
+  /// Counter-clockwise seen from outside; triangles end with no_index.
+  std::vector<std::array<Index, 4>> faces;
+};
+
+/// Makes the contour of a field that is negative inside, 1-Lipschitz, and positive on the boundary of the
+/// box. Each edge of the result is used by two faces, each vertex by one fan. O(cubes of the box).
+Contour contour(const CubeTree& cubes, const SplineField& field);
 
 /// Quad mesh of a rolling-ball envelope.
 struct BallCage {
@@ -18,12 +33,6 @@ struct BallCage {
   std::vector<std::array<Index, 4>> quads;  ///< counter-clockwise seen from outside; closed, manifold
   std::vector<Cube> cubes;                  ///< one per quad: splitting it makes the quads there smaller
 };
-
-/// Cubes that cover the surface, with corners at multiples of `edge` from the object's origin, split where
-/// normals in a cube spread too widely for the mesh to represent the surface. `ahead`: cubes of the first
-/// level are also split where they would be if they were half as large, as their points lie too far apart to
-/// see the smallest parts. Positions are relative to `origin`. O(cubes of the box).
-CubeTree surface_cubes(const SplineField& field, const Vector3& origin, double edge, bool ahead = false);
 
 /// Makes the quad mesh. Its sides are as long as the cubes' edges where all cubes have the same size, else
 /// half as long: triangles between cubes of different sizes, and then all other faces too, are divided into

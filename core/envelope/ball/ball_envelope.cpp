@@ -6,14 +6,12 @@
 #include <tuple>
 
 #include "core/envelope/ball/ball_patches.hpp"
-#include "core/envelope/ball/pinches.hpp"
 #include "core/geometry/winding_tree.hpp"
 
 namespace hariko {
 
 namespace {
 
-constexpr double least_ball = 3;  ///< smallest ball radius, in sigma
 /// Smallest rounding relative to the solids' size: lattices of finer roundings would not fit into memory.
 constexpr double least_rounding = 1.0 / 160;
 /// Radius relative to the solids' size of the ball for the hull; its envelope differs from the hull by
@@ -41,9 +39,9 @@ bool is_good(const PatchFit& fit, double tolerance) {
 }
 
 /// Cuts of a patch across the direction along which the surface turns most.
-QuadCuts cuts_of(const PatchFit& fit) {
-  const double most = std::max(fit.turn[0], fit.turn[1]);
-  return {fit.turn[0] >= even_turn * most, fit.turn[1] >= even_turn * most};
+QuadCuts cuts_of(const PatchTurn& turn) {
+  const double most = std::max(turn[0], turn[1]);
+  return {turn[0] >= even_turn * most, turn[1] >= even_turn * most};
 }
 
 /// Points that lie outside a cage.
@@ -70,15 +68,11 @@ std::vector<Cube> cubes_about(const CubeTree& cubes, std::span<const Vector3> po
 }
 
 /// Patches over a cage, with their deviations.
-struct Fitted {
+struct Fitted : BallFit {
   BallCage cage;
   std::vector<HermitePatch> patches;
   std::vector<PatchFit> fits;
-  std::vector<Vector3> lost;       ///< middles of solids outside of the cage
-  double inward = 0, outward = 0;  ///< largest deviations
-  std::size_t folds = 0;
-  std::size_t coarse = 0;  ///< number of patches that deviate too much
-  int rounds = 0;          ///< number of rounds in which quads or cubes were split
+  std::vector<Vector3> lost;  ///< middles of solids outside of the cage
 
   Fitted(const BallField& field, BallCage of, double tolerance, int intervals)
       : cage(std::move(of)),
@@ -93,11 +87,6 @@ struct Fitted {
     }
   }
   bool is_good_throughout() const { return coarse == 0 && lost.empty(); }
-  double turn() const {
-    double out = 0;
-    for (const PatchFit& fit : fits) out = std::max({out, fit.turn[0], fit.turn[1]});
-    return out;
-  }
 };
 
 class Fitting {
@@ -143,10 +132,14 @@ class Fitting {
 
   /// Cuts the patches that deviate too much, as long as that helps.
   Fitted cut_where_needed(Fitted of) const {
-    while (of.coarse > 0 && of.rounds < most_cuts && of.turn() <= largest_turn && !cancel_.cancelled()) {
+    while (of.coarse > 0 && of.rounds < most_cuts && !cancel_.cancelled()) {
+      const std::vector<PatchTurn> turns = patch_turns(field_.field, of.patches, intervals_);
+      double most = 0;
+      for (const PatchTurn& turn : turns) most = std::max({most, turn[0], turn[1]});
+      if (most > largest_turn) break;
       std::vector<QuadCuts> cuts;
-      for (const PatchFit& fit : of.fits)
-        cuts.push_back(is_good(fit, tolerance_) ? QuadCuts{false, false} : cuts_of(fit));
+      for (std::size_t q = 0; q < of.fits.size(); ++q)
+        cuts.push_back(is_good(of.fits[q], tolerance_) ? QuadCuts{false, false} : cuts_of(turns[q]));
       Fitted next(field_, cut_cage(field_.field, of.cage, of.patches, cuts, 0.25 * edge_), tolerance_,
                   intervals_);
       if (next.coarse >= 2 * of.coarse) break;
@@ -237,38 +230,35 @@ double sticking_out(const SplineField& field, std::span<const SolidShape> solids
 }
 
 BallSettings ball_settings(const EnvelopeSettings& settings, double size) {
-  BallSettings out;
-  out.sigma = std::max(settings.rounding, least_rounding * size);
-  out.radius = std::max(settings.ball_radius.value_or(hull_ball * size), least_ball * out.sigma);
-  out.clearance = settings.clearance;
-  out.on_faces = settings.on_faces;
-  out.finer_patches = settings.finer_patches;
-  return out;
+  const double sigma = std::max(settings.rounding, least_rounding * size);
+  const double radius = std::max(settings.ball_radius.value_or(hull_ball * size), least_ball * sigma);
+  return {radius, sigma, settings.clearance, settings.on_faces, settings.finer_patches};
 }
 
 BallField ball_field(std::span<const Solid> solids, const BallSettings& settings, const Vector3& origin,
                      std::optional<Eigen::Index> mirror, Quality quality, const CancelToken& cancel,
-                     GrowthConstants* constants) {
-  GrowthConstants own;
-  if (!constants) constants = &own;
+                     BallMemory* memory) {
+  KnownSolids own;
+  KnownSolids& known = memory ? memory->solids : own;
   std::vector<GrownSolid> grown;
-  for (std::size_t i = 0; i < solids.size(); ++i) {
-    const double constant = constants->of(i, solids[i], settings.sigma, settings.on_faces);
-    grown.push_back(grown_solid(solids[i], origin, constant + room_outside(settings)));
-  }
+  for (std::size_t i = 0; i < solids.size(); ++i)
+    grown.push_back(
+        known.grown(i, solids[i], origin, settings.sigma, settings.on_faces, room_outside(settings)));
   BallField out;
   for (const GrownSolid& solid : grown)
     out.middles.push_back(solid.shape.from_own_axes(solid.shape.middle()));
   const GrownUnion all(std::move(grown));
-  LatticeRequest request{all};
-  request.radius = settings.radius;
-  request.sigma = settings.sigma;
-  request.passes = quality == Quality::drag ? drag_passes : final_passes;
-  request.origin = origin;
-  request.mirror = mirror;
-  request.own_balls = own_balls(solids, settings.sigma);
-  request.pulls = pulled_places(solids, origin);
-  out.field = smoothed_closing(request, &out.lattice, cancel);
+  const LatticeRequest request{all,
+                               settings.radius,
+                               settings.sigma,
+                               quality == Quality::drag ? drag_passes : final_passes,
+                               origin,
+                               mirror,
+                               own_balls(solids, settings.sigma),
+                               pulled_places(solids, origin)};
+  // Final lattices are larger, and hardly ever follow one another.
+  ClosingMemory* const frames = memory && quality == Quality::drag ? &memory->closing : nullptr;
+  out.field = smoothed_closing(request, out.lattice, cancel, frames);
   if (!cancel.cancelled())
     out.pinches = close_pinches(out.field, settings.sigma, mirror, mirror ? -origin[*mirror] : 0);
   return out;
@@ -281,11 +271,10 @@ BallCage cage_of(const BallField& field, const Vector3& origin, double sigma) {
 
 std::optional<BallEnvelope> ball_envelope(std::span<const Solid> solids, const BallSettings& settings,
                                           const Vector3& origin, std::optional<Eigen::Index> mirror,
-                                          Quality quality, const CancelToken& cancel,
-                                          GrowthConstants* constants) {
+                                          Quality quality, const CancelToken& cancel, BallMemory* memory) {
   BallEnvelope out;
   out.tolerance = patch_tolerance * settings.sigma;
-  static_cast<BallField&>(out) = ball_field(solids, settings, origin, mirror, quality, cancel, constants);
+  static_cast<BallField&>(out) = ball_field(solids, settings, origin, mirror, quality, cancel, memory);
   if (cancel.cancelled()) return {};
   std::optional<Fitted> made = Fitting(out, origin, settings, quality, cancel).run();
   if (cancel.cancelled() || !made) return {};
@@ -296,12 +285,8 @@ std::optional<BallEnvelope> ball_envelope(std::span<const Solid> solids, const B
     for (const Solid& solid : solids) shapes.emplace_back(solid, origin);
     out.sticks_out = sticking_out(out.field, shapes, settings.sigma);
   }
-  out.rounds = made->rounds;
-  out.coarse = made->coarse;
+  static_cast<BallFit&>(out) = *made;
   out.lost = made->lost.size();
-  out.outward = made->outward;
-  out.inward = made->inward;
-  out.folds = made->folds;
   out.surface = ball_surface(out.field, out.cage, std::move(made->patches), origin);
   return out;
 }

@@ -24,6 +24,7 @@ struct BallSettings {
 /// Tolerance in units of sigma: the largest distance of patches from the field's zero surface, and the depth
 /// of solids below it.
 inline constexpr double patch_tolerance = 0.1;
+inline constexpr double least_ball = 3;  ///< smallest radius of the ball, in sigma
 
 /// Settings for solids of a size (the diagonal of their bounding box): the hull becomes a very large ball;
 /// rounding and radius are raised to the smallest values that can be computed.
@@ -31,6 +32,13 @@ BallSettings ball_settings(const EnvelopeSettings& settings, double size);
 
 /// Offset of solids beyond their growth constants, a length.
 double room_outside(const BallSettings& settings);
+
+/// Memory shared by calls for the same solids, kept from one to the next: constants, shapes, and while
+/// dragging the closing. Results do not depend on it.
+struct BallMemory {
+  KnownSolids solids;
+  ClosingMemory closing;
+};
 
 /// Field whose zero surface is the envelope.
 struct BallField {
@@ -40,31 +48,34 @@ struct BallField {
   std::vector<Vector3> middles;  ///< one point inside every solid
 };
 
+/// Deviations of patches from a field's zero surface, at sampled points.
+struct BallFit {
+  double outward = 0, inward = 0;  ///< largest distances, lengths
+  std::size_t folds = 0;           ///< number of patches with a normal opposite to the field's gradient
+  std::size_t coarse = 0;          ///< number of patches that deviate by more than the tolerance
+  int rounds = 0;                  ///< number of rounds in which quads or cubes were split
+};
+
 /// Envelope with its field, mesh, patches and measured deviations.
-struct BallEnvelope : BallField {
+struct BallEnvelope : BallField, BallFit {
   Surface surface;
   BallCage cage;
   CageTopology topology;
   /// Largest distance by which solids protrude from the field's zero surface, if flat faces lie on it.
   double sticks_out = 0;
-  /// Largest distances of sampled points of patches from the field's zero surface.
-  double outward = 0, inward = 0;
-  std::size_t folds = 0;   ///< number of patches with a normal opposite to the field's gradient
-  std::size_t coarse = 0;  ///< number of patches that are farther from the zero surface than `tolerance`
-  std::size_t lost = 0;    ///< number of solids whose part of the zero surface has no patches
+  std::size_t lost = 0;  ///< number of solids whose part of the zero surface has no patches
   /// Least depth of every solid below the field's zero surface, unless faces lie on it.
   double tolerance = 0;
-  int rounds = 0;  ///< number of rounds in which cubes were split
 
   /// Whether the patches contain every solid, unless faces lie on the zero surface: a solid lies in one part
   /// of the field's inside, which patches near its zero surface leave only together with the solid's middle.
   bool contains_solids() const { return inward <= tolerance && lost == 0; }
 };
 
-/// Computes the field: the first step of `ball_envelope`. `constants`: known from calls before, or null.
+/// Computes the field: the first step of `ball_envelope`. `memory`: of the calls before, or null.
 BallField ball_field(std::span<const Solid> solids, const BallSettings& settings, const Vector3& origin,
                      std::optional<Eigen::Index> mirror, Quality quality, const CancelToken& cancel = {},
-                     GrowthConstants* constants = nullptr);
+                     BallMemory* memory = nullptr);
 /// Largest distance of points of the solids outside the field's zero surface from that surface: surface
 /// points, corners and points of edges and rims. O(solids).
 double sticking_out(const SplineField& field, std::span<const SolidShape> solids, double sigma);
@@ -77,6 +88,6 @@ BallCage cage_of(const BallField& field, const Vector3& origin, double sigma);
 std::optional<BallEnvelope> ball_envelope(std::span<const Solid> solids, const BallSettings& settings,
                                           const Vector3& origin, std::optional<Eigen::Index> mirror,
                                           Quality quality, const CancelToken& cancel = {},
-                                          GrowthConstants* constants = nullptr);
+                                          BallMemory* memory = nullptr);
 
 }  // namespace hariko

@@ -4,6 +4,7 @@
 #include <array>
 #include <atomic>
 #include <cmath>
+#include <optional>
 
 #include "core/base/parallel.hpp"
 
@@ -22,11 +23,6 @@ constexpr double noticeable = 1e-2;  ///< in sigma: a neighbour's centre that is
 /// whole slot; the mean of five values takes five smaller steps. The one in the middle is the ball itself.
 constexpr std::array<double, 5> slot_factors{0.75, 0.87, 1, 1.15, 1.33};
 constexpr std::size_t usual_ball = 2;
-constexpr int slot_step = 4;
-/// Fractions of the radius by which the smallest of these balls reaches deeper than the largest. In the
-/// corner of a box it is 0.42: below the first value there is no slot, above the second the node is fully in
-/// a slot.
-constexpr double no_slot = 0.45, all_slot = 0.75;
 
 /// Fraction of the smaller radius: a ball that is this far from all other solids lies between its own solids
 /// alone.
@@ -49,23 +45,14 @@ struct OwnValues {
 
 class Lattice {
  public:
-  Lattice(const LatticeRequest& request, const CancelToken& cancel)
+  Lattice(const LatticeRequest& request, const CancelToken& cancel, ClosingMemory* memory)
       : request_(request),
         cancel_(cancel),
+        memory_(request.own_balls.empty() ? memory : nullptr),
         spacing_(lattice_spacing(request.sigma, request.passes)),
-        balls_(balls_of(request)) {
-    Eigen::AlignedBox3d box = request.solids.box();
-    for (const PulledPlace& pull : request.pulls) {
-      const double way = std::max(0.0, request.solids.nearest(pull.at, request.solids.all()).distance);
-      const double reach = pull_reach(pull.radius, way, request.sigma);
-      const Eigen::AlignedBox3d& solids = request.solids.box();
-      for (Eigen::Index a = 0; a < 3; ++a) {
-        box.max()[a] =
-            std::max(box.max()[a], solids.max()[a] + pulled_over(pull.at[a] - solids.max()[a], way, reach));
-        box.min()[a] =
-            std::min(box.min()[a], solids.min()[a] - pulled_over(solids.min()[a] - pull.at[a], way, reach));
-      }
-    }
+        balls_(balls_of(request)),
+        nodes_(memory_ ? memory_->nodes() : own_nodes_) {
+    const Eigen::AlignedBox3d box = pulled_box(request.solids, request.pulls, request.sigma);
     for (Eigen::Index a = 0; a < 3; ++a) {
       double low = box.min()[a] + request.origin[a], high = box.max()[a] + request.origin[a];
       if (request.mirror == a) high = std::max(high, -low), low = -high;
@@ -74,70 +61,97 @@ class Lattice {
       const double last = slot_step * std::ceil((high + margin * request.sigma) / spacing_ / slot_step);
       size_[std::size_t(a)] = int(last - low_[a]) + 1;
     }
-    nodes_.resize(std::size_t(size_[0]) * std::size_t(size_[1]) * std::size_t(size_[2]));
+    if (memory_)
+      memory_->begin(request.solids, {request.radius, request.sigma, spacing_, request.origin, low_, size_});
+    else
+      nodes_.resize(node_count(size_));
     state_.assign(nodes_.size(), State::open);
   }
 
-  SplineField make(LatticeReport* report) {
-    visit(2, [&](std::size_t at, const std::array<int, 3>& n) { evaluate(at, n); });
-    improve(2);
+  SplineField make(LatticeReport& report) {
+    visit(2, [&](std::size_t at, const std::array<int, 3>& n) {
+      if (!take_first(at, n)) evaluate_first(at, n);
+    });
+    improve(2, memory_);
     find_pulled();
     find_slots();
     look_at_own_balls();
-    visit(1, [&](std::size_t at, const std::array<int, 3>& n) {
-      if (state_[at] == State::open) refine(at, n);
-    });
-    improve(1);
+    if (memory_) memory_->find_steady_cells(slots_.empty() && request_.pulls.empty());
+    refine_all();
+    improve(1, memory_);
+    if (memory_ && !cancel_.cancelled()) memory_->end();
     std::vector<double> values(nodes_.size());
-    for (std::size_t i = 0; i < nodes_.size(); ++i) values[i] = nodes_[i].value;
-    if (report) *report = counted();
+    parallel_for(values.size(), 8192, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) values[i] = nodes_[i].value;
+    });
+    report = counted();
     const OwnValues own = own_values();
     if (!slots_.empty()) average_slots(values);
     for (std::size_t i = 0; i < own.sum.size(); ++i)
       values[i] += (own.sum[i] - own.shares[i] * values[i]) / std::max(1.0, own.shares[i]);
     if (!request_.pulls.empty()) pull(values);
-    if (request_.mirror) even(values);
+    // Both values of a node and its image are safe.
+    if (request_.mirror) even_lattice(size_, std::size_t(*request_.mirror), values);
     return smoothed(std::move(values));
   }
 
  private:
   enum class State : char { open, known, between };
 
-  std::size_t index(int i, int j, int k) const {
-    return (std::size_t(k) * std::size_t(size_[1]) + std::size_t(j)) * std::size_t(size_[0]) + std::size_t(i);
-  }
+  std::size_t index(const std::array<int, 3>& n) const { return node_index(size_, n[0], n[1], n[2]); }
   Vector3 point(const std::array<int, 3>& n) const {
     return spacing_ * (low_ + Vector3(n[0], n[1], n[2])) - request_.origin;
   }
 
+  std::size_t slices(int step) const { return std::size_t((size_[2] - 1) / step + 1); }
+
+  /// Visits every `step`th slice, in parallel.
+  template <class Each>
+  void visit_slices(int step, const Each& each) const {
+    parallel_for(slices(step), 1, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t slice = begin; slice < end && !cancel_.cancelled(); ++slice) each(int(slice) * step);
+    });
+  }
+
   /// Visits every `step`th node, slices in parallel.
   template <class Each>
-  void visit(int step, const Each& each) {
-    const auto slices = std::size_t((size_[2] - 1) / step + 1);
-    parallel_for(slices, 1, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t slice = begin; slice < end && !cancel_.cancelled(); ++slice) {
-        const int k = int(slice) * step;
-        for (int j = 0; j < size_[1]; j += step)
-          for (int i = 0; i < size_[0]; i += step) each(index(i, j, k), std::array<int, 3>{i, j, k});
-      }
+  void visit(int step, const Each& each) const {
+    visit_slices(step, [&](int k) {
+      for (int j = 0; j < size_[1]; j += step)
+        for (int i = 0; i < size_[0]; i += step)
+          each(node_index(size_, i, j, k), std::array<int, 3>{i, j, k});
     });
   }
 
   LatticeReport counted() const {
-    return {nodes_.size(),
-            std::size_t(std::ranges::count_if(state_, [](State s) { return s == State::known; })),
-            std::size_t(std::ranges::count_if(nodes_, [](const auto& n) { return n.crease; }))};
+    LatticeReport out;
+    out.nodes = nodes_.size();
+    out.evaluated = std::size_t(std::ranges::count(state_, State::known));
+    out.crease = creases_;
+    out.searched = memory_ ? memory_->searched() : out.evaluated;
+    return out;
   }
 
-  std::span<const Index> among() const { return request_.solids.all(); }
-
-  void evaluate(std::size_t at, const std::array<int, 3>& n, const Vector3* start = nullptr) {
-    nodes_[at] = balls_[ball_].at(point(n), among(), start);
+  void evaluate(std::size_t at, const std::array<int, 3>& n) {
+    nodes_[at] = balls_[ball_].at(point(n));
     state_[at] = State::known;
   }
 
-  bool in_band(double low, double high) const {
-    return high > deepest * request_.sigma && low < highest * request_.sigma;
+  /// Evaluates a node for the first time.
+  void evaluate_first(std::size_t at, const std::array<int, 3>& n, const Vector3* start = nullptr) {
+    ClosingReach reach;
+    const ClosedDistance found = balls_[ball_].at(point(n), start, memory_ ? &reach : nullptr);
+    if (memory_) memory_->set_first(at, found, reach);
+    nodes_[at] = found;
+    state_[at] = State::known;
+  }
+
+  /// Takes a node's first value from the frame before; false where it may be another one. Where there is a
+  /// start, it must be that of the frame before.
+  bool take_first(std::size_t at, const std::array<int, 3>& n) {
+    if (!memory_ || !memory_->take_first(at, n)) return false;
+    state_[at] = State::known;
+    return true;
   }
 
   /// Lower bound of a node's value from another node's centre: the distance of the solids there minus the
@@ -155,14 +169,45 @@ class Lattice {
     return out;
   }
 
-  /// Refines a node from the coarse nodes around it, which bound its value.
+  /// Finds the nodes between every second one.
+  void refine_all() {
+    visit_slices(1, [&](int k) {
+      for (int j = 0; j < size_[1]; ++j)
+        for (int i = 0; i < size_[0]; i += node_block) {
+          const bool kept = memory_ && memory_->is_kept({i, j, k});
+          for (int x = i; x < std::min(i + node_block, size_[0]); ++x) {
+            const std::size_t at = node_index(size_, x, j, k);
+            if (state_[at] != State::open) continue;
+            if (kept)
+              state_[at] = memory_->take_kept(at) ? State::known : State::between;
+            else
+              refine(at, {x, j, k});
+          }
+        }
+    });
+  }
+
+  /// Refines a node from the coarse nodes around it.
   void refine(std::size_t at, const std::array<int, 3>& n) {
+    const bool steady = memory_ && memory_->is_steady(n);
+    const bool known_band = steady && memory_->is_plain();
+    const std::optional<double> mean = known_band ? memory_->mean(at) : mean_outside_band(at, n);
+    if (mean) {
+      nodes_[at].value = *mean;
+      state_[at] = State::between;
+      if (memory_ && !known_band) memory_->set_mean(at);
+      return;
+    }
+    if (steady && take_first(at, n)) return;
+    evaluate_first(at, n, nearest_centre(n));
+  }
+
+  /// Mean of the coarse nodes around a node where these, which bound its value, exclude that it is needed.
+  std::optional<double> mean_outside_band(std::size_t at, const std::array<int, 3>& n) const {
     const double way = spacing_ * std::sqrt(double((n[0] & 1) + (n[1] & 1) + (n[2] & 1)));
     double sum = 0, low = -1e300, high = 1e300;
-    std::array<std::array<int, 3>, 8> around;
     for (std::size_t c = 0; c < 8; ++c) {
-      around[c] = coarse_node(n, c, 2);
-      const std::size_t m = index(around[c][0], around[c][1], around[c][2]);
+      const std::size_t m = index(coarse_node(n, c, 2));
       const double value = nodes_[m].value;
       sum += value / 8;
       low = std::max(low, (least_.empty() ? value : least_[m]) - way);
@@ -170,43 +215,78 @@ class Lattice {
     }
     const bool in_slot = !slots_.empty() && slots_[at] > 0;
     const auto [inwards, outwards] = pulled_by(n);
-    if (!in_slot && !in_band(low - outwards, high + inwards)) {
-      nodes_[at].value = sum;
-      state_[at] = State::between;
-      return;
-    }
+    if (in_slot || (high + inwards > deepest * request_.sigma && low - outwards < highest * request_.sigma))
+      return {};
+    return sum;
+  }
+
+  /// Best centre for a node among those of the coarse nodes around it.
+  const Vector3* nearest_centre(const std::array<int, 3>& n) const {
     double best = -1e300;
-    const Vector3* start = nullptr;
-    for (const std::array<int, 3>& m : around) {
-      const ClosedDistance& beside = nodes_[index(m[0], m[1], m[2])];
-      if (const double value = value_from(beside, m, n); value > best) best = value, start = &beside.centre;
+    const Vector3* out = nullptr;
+    for (std::size_t c = 0; c < 8; ++c) {
+      const std::array<int, 3> around = coarse_node(n, c, 2);
+      const ClosedDistance& beside = nodes_[index(around)];
+      if (const double value = value_from(beside, around, n); value > best)
+        best = value, out = &beside.centre;
     }
-    evaluate(at, n, start);
+    return out;
   }
 
   /// Tries the centres of neighbours, because a search may end in a centre that is not the nearest one.
-  void improve(int step) {
+  /// `memory`, if not null: keeps the trials, and has those of the frame before.
+  void improve(int step, ClosingMemory* memory = nullptr) {
+    std::vector<std::array<int, 3>> creases = crease_nodes(step);
+    creases_ = creases.size();
     for (const bool forward : {true, false}) {
       if (cancel_.cancelled()) return;
-      const auto along = [&](int a, int x) { return forward ? x : size_[std::size_t(a)] - 1 - x; };
-      for (int k = 0; k < size_[2]; k += step)
-        for (int j = 0; j < size_[1]; j += step)
-          for (int i = 0; i < size_[0]; i += step) {
-            const std::array<int, 3> n{along(0, i), along(1, j), along(2, k)};
-            const std::size_t at = index(n[0], n[1], n[2]);
-            if (state_[at] == State::known && nodes_[at].crease) improve_node(at, n, step);
-          }
+      ClosingMemory::Sweep* const sweep = memory ? &memory->trials(step == 1, forward) : nullptr;
+      for (const std::array<int, 3>& n : creases)
+        if (sweep)
+          improve_kept(index(n), n, step, *sweep);
+        else
+          improve_node(index(n), n, step);
+      std::ranges::reverse(creases);
     }
   }
 
-  void improve_node(std::size_t at, const std::array<int, 3>& n, int step) {
+  /// Every `step`th node whose value one solid alone does not determine, in order. Sweeps change no node's
+  /// kind.
+  std::vector<std::array<int, 3>> crease_nodes(int step) const {
+    std::vector<std::vector<std::array<int, 3>>> of_slice(slices(step));
+    visit(step, [&](std::size_t at, const std::array<int, 3>& n) {
+      if (state_[at] == State::known && nodes_[at].crease) of_slice[std::size_t(n[2] / step)].push_back(n);
+    });
+    std::vector<std::array<int, 3>> out;
+    for (const auto& some : of_slice) out.insert(out.end(), some.begin(), some.end());
+    return out;
+  }
+
+  /// Improves a node where what the frame before found does not hold.
+  void improve_kept(std::size_t at, const std::array<int, 3>& n, int step, ClosingMemory::Sweep& sweep) {
+    const ClosingMemory::Trial* before = sweep.before(at);
+    const bool same_value = !memory_->is_changed(at);
+    if (same_value && !memory_->is_changed_about(n, step) && (!before || memory_->holds(before->reach))) {
+      if (!before) return;
+      nodes_[at] = before->result;
+      sweep.add(*before);
+      return;
+    }
+    const ClosedDistance wanted = before ? before->result : nodes_[at];
+    ClosingReach reach;
+    if (improve_node(at, n, step, &reach)) sweep.add({at, nodes_[at], reach});
+    if (same_value) memory_->set_changed(at, !equal_bits(nodes_[at], wanted));
+  }
+
+  /// Tries the best centre of a node's neighbours; false if none is better. `reach`: see `Closing`.
+  bool improve_node(std::size_t at, const std::array<int, 3>& n, int step, ClosingReach* reach = nullptr) {
     const Vector3 x = point(n);
     double best = nodes_[at].value + noticeable * request_.sigma;
     const Vector3* start = nullptr;
     for (int k = std::max(n[2] - step, 0); k <= std::min(n[2] + step, size_[2] - 1); k += step)
       for (int j = std::max(n[1] - step, 0); j <= std::min(n[1] + step, size_[1] - 1); j += step)
         for (int i = std::max(n[0] - step, 0); i <= std::min(n[0] + step, size_[0] - 1); i += step) {
-          const std::size_t other = index(i, j, k);
+          const std::size_t other = node_index(size_, i, j, k);
           if (state_[other] != State::known || other == at) continue;
           const ClosedDistance& beside = nodes_[other];
           // No ball has more room than its radius: the squared way alone excludes most neighbours.
@@ -215,28 +295,27 @@ class Lattice {
           if (const double value = value_from(beside, {i, j, k}, n); value > best)
             best = value, start = &nodes_[other].centre;
         }
-    if (start) nodes_[at] = balls_[ball_].improved(x, nodes_[at], *start, among());
+    if (start) nodes_[at] = balls_[ball_].improved(x, nodes_[at], *start, reach);
+    return start != nullptr;
   }
 
   /// Finds how far nodes lie in a slot, from 0 to 1, tested at every fourth one.
   void find_slots() {
-    const Closing &smaller = balls_.front(), &larger = balls_[slot_factors.size() - 1];
-    if (no_slot * request_.radius > request_.solids.box().diagonal().norm()) return;
+    if (no_slot * request_.radius > request_.solids.box().diagonal().norm()) {
+      if (memory_) memory_->forget_slots();
+      return;
+    }
+    if (memory_) memory_->begin_slots();
     std::vector<double> asked(nodes_.size(), 0);
     std::atomic<bool> any = false;
     visit(slot_step, [&](std::size_t at, const std::array<int, 3>& n) {
-      const ClosedDistance& here = nodes_[at];
-      if (here.value >= larger.radius()) return;
-      const Vector3 x = point(n);
-      const auto value_of = [&](const Closing& other) {
-        const Vector3 start = x + other.radius() / request_.radius * (here.centre - x);
-        return other.at(x, among(), &start).value;
-      };
-      const double gain =
-          ((here.crease ? value_of(smaller) : here.value) - value_of(larger)) / request_.radius;
-      const double t = std::clamp((gain - no_slot) / (all_slot - no_slot), 0.0, 1.0);
-      asked[at] = t * t * (3 - 2 * t);
-      if (t > 0) any = true;
+      SlotTest own;
+      SlotTest& test = memory_ ? memory_->slot_test(n) : own;
+      if (!memory_ || memory_->is_changed(at) || !memory_->holds(test))
+        test =
+            slot_test(balls_.front(), balls_[slot_factors.size() - 1], request_.radius, point(n), nodes_[at]);
+      asked[at] = test.share;
+      if (test.share > 0) any = true;
     });
     if (!any) return;
     slots_.assign(nodes_.size(), 0);
@@ -247,9 +326,7 @@ class Lattice {
           const double along = n[a] % slot_step / double(slot_step);
           weight *= c >> a & 1 ? along : 1 - along;
         }
-        if (weight == 0) continue;
-        const std::array<int, 3> m = coarse_node(n, c, slot_step);
-        slots_[at] += weight * asked[index(m[0], m[1], m[2])];
+        if (weight > 0) slots_[at] += weight * asked[index(coarse_node(n, c, slot_step))];
       }
     });
   }
@@ -259,6 +336,7 @@ class Lattice {
   void average_slots(std::vector<double>& values) {
     for (std::size_t i = 0; i < nodes_.size(); ++i) state_[i] = slots_[i] > 0 ? State::known : State::between;
     const std::vector<double> own = values;
+    const std::vector<ClosedDistance> usual = nodes_;
     for (ball_ = 0; ball_ < slot_factors.size(); ++ball_) {
       if (ball_ == usual_ball) continue;
       visit(1, [&](std::size_t at, const std::array<int, 3>& n) {
@@ -268,6 +346,7 @@ class Lattice {
       for (std::size_t i = 0; i < values.size(); ++i)
         if (slots_[i] > 0) values[i] += slots_[i] / double(slot_factors.size()) * (nodes_[i].value - own[i]);
     }
+    nodes_ = usual;
   }
 
   /// Finds the range of all balls' values at every second node; the result at the nodes between is a mean of
@@ -295,12 +374,10 @@ class Lattice {
     if (!larger.crease) return 0;
     const double reach = own_reach * std::min(own.radius, request_.radius);
     double gap = reach;
-    for (const Index i : among())
-      if (!own.between[i]) {
-        const double radius = std::max(own.radius, request_.radius);
-        if (request_.solids.bound(i, larger.centre) - radius < gap)
-          gap = std::min(gap, request_.solids.distance(i, larger.centre) - radius);
-      }
+    const double radius = std::max(own.radius, request_.radius);
+    for (Index i = 0; i < request_.solids.size(); ++i)
+      if (!own.between[i] && request_.solids.bound(i, larger.centre) - radius < gap)
+        gap = std::min(gap, request_.solids.distance(i, larger.centre) - radius);
     const double t = std::clamp(gap / reach, 0.0, 1.0);
     return t * t * (3 - 2 * t);
   }
@@ -354,7 +431,7 @@ class Lattice {
       const Vector3 at = (pull.at + request_.origin) / spacing_ - low_;
       std::array<int, 3> n;
       for (std::size_t a = 0; a < 3; ++a) n[a] = 2 * int(std::round(0.5 * at[Eigen::Index(a)]));
-      const double value = nodes_[index(n[0], n[1], n[2])].value;
+      const double value = nodes_[index(n)].value;
       ways_.push_back(value + std::copysign(2 * spacing_, value));
     }
   }
@@ -377,37 +454,26 @@ class Lattice {
         pull_offsets(smoothed(values), request_.passes, request_.pulls, request_.sigma);
     visit(1, [&](std::size_t at, const std::array<int, 3>& n) {
       values[at] -= offsets[at];
-      if (offsets[at] < 0)
-        values[at] = std::min(values[at], request_.solids.nearest(point(n), among()).distance);
+      if (offsets[at] < 0) values[at] = std::min(values[at], request_.solids.nearest(point(n)).distance);
     });
-  }
-
-  /// Replaces a node's value and that of its image by the larger one; both are safe.
-  void even(std::vector<double>& values) const {
-    const auto axis = std::size_t(*request_.mirror);
-    for (int k = 0; k < size_[2]; ++k)
-      for (int j = 0; j < size_[1]; ++j)
-        for (int i = 0; i < size_[0]; ++i) {
-          std::array<int, 3> n{i, j, k};
-          n[axis] = size_[axis] - 1 - n[axis];
-          double &a = values[index(i, j, k)], &b = values[index(n[0], n[1], n[2])];
-          a = b = std::max(a, b);
-        }
   }
 
   const LatticeRequest& request_;
   const CancelToken& cancel_;
+  ClosingMemory* memory_;  ///< null: nothing is kept
   double spacing_;
   std::vector<Closing> balls_;
   std::size_t ball_ = usual_ball;  ///< the ball being rolled
   Vector3 low_;                    ///< position of the first node, in spacings from the object's origin
   std::array<int, 3> size_{};
-  std::vector<ClosedDistance> nodes_;
+  std::vector<ClosedDistance> own_nodes_;
+  std::vector<ClosedDistance>& nodes_;  ///< the memory's, or our own where nothing is kept
   std::vector<State> state_;
+  std::size_t creases_ = 0;  ///< number of crease nodes at the last sweep
   /// Range of all balls' values at coarse nodes; empty if there is only one ball.
   std::vector<double> least_, most_;
-  std::vector<double> slots_;  ///< how far nodes lie in a slot; empty without slots
-  std::vector<double> ways_;   ///< of pulls, negative inwards, from the nodes nearest to them
+  std::vector<double> slots_;  ///< depth of nodes in a slot; empty without slots
+  std::vector<double> ways_;   ///< shifts by pulls, negative inwards, from the nodes nearest to them
 };
 
 }  // namespace
@@ -416,9 +482,9 @@ double lattice_spacing(double sigma, int passes) {
   return sigma / std::sqrt(0.5 * passes + 1.0 / 3);
 }
 
-SplineField smoothed_closing(const LatticeRequest& request, LatticeReport* report,
-                             const CancelToken& cancel) {
-  return Lattice(request, cancel).make(report);
+SplineField smoothed_closing(const LatticeRequest& request, LatticeReport& report, const CancelToken& cancel,
+                             ClosingMemory* memory) {
+  return Lattice(request, cancel, memory).make(report);
 }
 
 }  // namespace hariko

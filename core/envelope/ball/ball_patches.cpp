@@ -4,11 +4,13 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <span>
 
-#include "core/base/assert.hpp"
-#include "core/base/ids.hpp"
+#include "core/base/index_list.hpp"
 #include "core/base/parallel.hpp"
+#include "core/envelope/closed_surface.hpp"
 #include "core/geometry/angles.hpp"
+#include "core/geometry/edge_key.hpp"
 
 namespace hariko {
 
@@ -87,13 +89,16 @@ Quintic inward_field(const Ribbon& side, const Vector3& start, const Vector3& en
   return out;
 }
 
-/// Matches the second derivatives across all sides at a few places.
-void set_bends(const SplineField& field, HermitePatch& patch) {
+/// Matches the second derivatives across all sides at a few places, those of `sides`.
+void set_bends(const SplineField& field, const SideEvaluation& sides, HermitePatch& patch) {
+  // The bend of a side changes no second derivative at others: all are looked at before any is set.
+  std::array<PatchPoint, 4 * bend_places.size()> points;
+  sides(patch, points);
   for (std::size_t side = 0; side < 4; ++side) {
     std::array<Vector3, 3> wanted;
     for (std::size_t i = 0; i < 3; ++i) {
       const double t = bend_places[i], s = 1 - t;
-      const PatchPoint at = evaluate(patch, side_parameter(Domain::square, int(side), t), Order::second);
+      const PatchPoint& at = points[bend_places.size() * side + i];
       const bool along_u = side % 2 == 0;
       const Vector3 &across = along_u ? at.dt : at.ds, &second = along_u ? at.dtt : at.dss;
       const LevelCurvature form = level_curvature(field, at.position);
@@ -107,6 +112,21 @@ void set_bends(const SplineField& field, HermitePatch& patch) {
   }
 }
 
+/// Calls each(patch, positions, normals) with a grid of points on every patch, in parallel.
+template <class Each>
+void for_patch_grids(std::span<const HermitePatch> patches, const GridPattern& pattern, const Each& each) {
+  const HermitePatchSet set({patches.begin(), patches.end()});
+  const auto count = std::size_t(pattern.point_count());
+  parallel_for(patches.size(), 8, [&](std::size_t begin, std::size_t end) {
+    const std::vector<Index> numbers = ascending_indices(end - begin, Index(begin));
+    std::vector<Vector3> positions(numbers.size() * count), normals(numbers.size() * count);
+    set.evaluate_grid(numbers, pattern, positions, normals);
+    for (std::size_t k = 0; k < numbers.size(); ++k)
+      each(begin + k, std::span<const Vector3>(positions).subspan(k * count, count),
+           std::span<const Vector3>(normals).subspan(k * count, count));
+  });
+}
+
 }  // namespace
 
 std::vector<HermitePatch> ball_patches(const SplineField& field, const BallCage& cage) {
@@ -114,21 +134,24 @@ std::vector<HermitePatch> ball_patches(const SplineField& field, const BallCage&
   parallel_for(forms.size(), 64, [&](std::size_t begin, std::size_t end) {
     for (std::size_t v = begin; v < end; ++v) forms[v] = level_curvature(field, cage.positions[v]);
   });
-  std::map<std::pair<Index, Index>, Index> numbers;
-  std::vector<std::pair<Index, Index>> sides;
-  for (const auto& quad : cage.quads)
+  std::map<std::uint64_t, Index> numbers;  // by edge
+  std::vector<std::uint64_t> sides;
+  std::vector<std::array<Index, 4>> of_quad(cage.quads.size());
+  for (std::size_t q = 0; q < cage.quads.size(); ++q)
     for (std::size_t i = 0; i < 4; ++i) {
-      const auto ends = std::minmax(quad[i], quad[(i + 1) % 4]);
-      if (numbers.try_emplace({ends.first, ends.second}, Index(sides.size())).second)
-        sides.emplace_back(ends.first, ends.second);
+      const std::uint64_t side = edge_key(cage.quads[q][i], cage.quads[q][(i + 1) % 4]);
+      const auto [known, fresh] = numbers.try_emplace(side, Index(sides.size()));
+      if (fresh) sides.push_back(side);
+      of_quad[q][i] = known->second;
     }
   std::vector<Ribbon> ribbons(sides.size());
   parallel_for(sides.size(), 64, [&](std::size_t begin, std::size_t end) {
     for (std::size_t s = begin; s < end; ++s) {
-      const auto& [a, b] = sides[s];
+      const auto [a, b] = ends_of_key(sides[s]);
       ribbons[s] = ribbon_between(field, cage.positions[a], forms[a], cage.positions[b], forms[b]);
     }
   });
+  const SideEvaluation bends = side_evaluation(bend_places);
   std::vector<HermitePatch> out(cage.quads.size());
   parallel_for(out.size(), 16, [&](std::size_t begin, std::size_t end) {
     for (std::size_t q = begin; q < end; ++q) {
@@ -136,9 +159,8 @@ std::vector<HermitePatch> ball_patches(const SplineField& field, const BallCage&
       std::array<Ribbon, 4> loop;
       std::array<Quintic, 4> curves, inwards;
       for (std::size_t i = 0; i < 4; ++i) {
-        const Index a = quad[i], b = quad[(i + 1) % 4];
-        const Ribbon& ribbon = ribbons[numbers.at({std::min(a, b), std::max(a, b)})];
-        loop[i] = a < b ? ribbon : ribbon.turned();
+        const Ribbon& ribbon = ribbons[of_quad[q][i]];
+        loop[i] = quad[i] < quad[(i + 1) % 4] ? ribbon : ribbon.turned();
         curves[i] = loop[i].curve;
       }
       for (std::size_t i = 0; i < 4; ++i) {
@@ -146,7 +168,7 @@ std::vector<HermitePatch> ball_patches(const SplineField& field, const BallCage&
         inwards[i] = inward_field(loop[i], 5 * (before[4] - before[5]), 5 * (after[1] - after[0]));
       }
       out[q] = HermitePatch::from_loop(curves, inwards);
-      set_bends(field, out[q]);
+      set_bends(field, bends, out[q]);
     }
   });
   return out;
@@ -154,80 +176,67 @@ std::vector<HermitePatch> ball_patches(const SplineField& field, const BallCage&
 
 std::vector<PatchFit> patch_fits(const SplineField& field, std::span<const HermitePatch> patches,
                                  int intervals) {
-  const HermitePatchSet set({patches.begin(), patches.end()});
-  const GridPattern pattern{Domain::square, intervals};
-  const auto count = std::size_t(pattern.point_count());
   std::vector<PatchFit> out(patches.size());
-  parallel_for(patches.size(), 8, [&](std::size_t begin, std::size_t end) {
-    std::vector<Vector3> positions(count), normals(count), wanted(count);
-    for (std::size_t q = begin; q < end; ++q) {
-      PatchFit& fit = out[q];
-      const Index one[]{Index(q)};
-      set.evaluate_grid(one, pattern, positions, normals);
-      for (std::size_t i = 0; i < count; ++i) {
-        const FieldPoint at = field.at(positions[i]);
-        const double slope = at.gradient.norm();
-        const double away = slope > 0 ? at.value / slope : 0;
-        fit.outward = std::max(fit.outward, away);
-        fit.inward = std::max(fit.inward, -away);
-        wanted[i] = slope > 0 ? Vector3(at.gradient / slope) : normals[i];
-        fit.least_agreement = std::min(fit.least_agreement, normals[i].dot(wanted[i]));
-      }
-      const auto angle = [&](int i, int j, int k, int l) {
-        const Vector3 &a = wanted[std::size_t(pattern.index(i, j))],
-                      &b = wanted[std::size_t(pattern.index(k, l))];
-        return angle_between(a, b);
-      };
-      for (int line = 0; line <= intervals; ++line) {
-        double u = 0, v = 0;
-        for (int i = 0; i < intervals; ++i)
-          u += angle(i, line, i + 1, line), v += angle(line, i, line, i + 1);
-        fit.turn = {std::max(fit.turn[0], u), std::max(fit.turn[1], v)};
-      }
-    }
-  });
+  for_patch_grids(patches, {Domain::square, intervals},
+                  [&](std::size_t q, std::span<const Vector3> positions, std::span<const Vector3> normals) {
+                    PatchFit& fit = out[q];
+                    for (std::size_t i = 0; i < positions.size(); ++i) {
+                      const FieldPoint at = field.at(positions[i]);
+                      const double slope = at.gradient.norm();
+                      const double away = slope > 0 ? at.value / slope : 0;
+                      fit.outward = std::max(fit.outward, away);
+                      fit.inward = std::max(fit.inward, -away);
+                      const Vector3 wanted = slope > 0 ? Vector3(at.gradient / slope) : normals[i];
+                      fit.least_agreement = std::min(fit.least_agreement, normals[i].dot(wanted));
+                    }
+                  });
+  return out;
+}
+
+std::vector<PatchTurn> patch_turns(const SplineField& field, std::span<const HermitePatch> patches,
+                                   int intervals) {
+  const GridPattern pattern{Domain::square, intervals};
+  std::vector<PatchTurn> out(patches.size());
+  for_patch_grids(patches, pattern,
+                  [&](std::size_t q, std::span<const Vector3> positions, std::span<const Vector3> normals) {
+                    std::vector<Vector3> of_field(positions.size());
+                    for (std::size_t i = 0; i < positions.size(); ++i) {
+                      const Vector3 gradient = field.at(positions[i]).gradient;
+                      const double slope = gradient.norm();
+                      of_field[i] = slope > 0 ? Vector3(gradient / slope) : normals[i];
+                    }
+                    const auto angle = [&](int i, int j, int k, int l) {
+                      return angle_between(of_field[std::size_t(pattern.index(i, j))],
+                                           of_field[std::size_t(pattern.index(k, l))]);
+                    };
+                    PatchTurn turn{};
+                    for (int line = 0; line <= intervals; ++line) {
+                      double u = 0, v = 0;
+                      for (int i = 0; i < intervals; ++i)
+                        u += angle(i, line, i + 1, line), v += angle(line, i, line, i + 1);
+                      turn = {std::max(turn[0], u), std::max(turn[1], v)};
+                    }
+                    out[q] = turn;
+                  });
   return out;
 }
 
 Surface ball_surface(const SplineField& field, const BallCage& cage, std::vector<HermitePatch> patches,
                      const Vector3& origin) {
-  auto provenance = std::make_shared<std::vector<Provenance>>();
-  auto nodes = std::make_shared<std::vector<Index>>();
-  auto seams = std::make_shared<std::vector<Seam>>();
-  std::map<std::pair<Index, Index>, PatchSide> open;
+  std::vector<ClosedPatch> places;
   for (Index q = 0; q < cage.quads.size(); ++q) {
-    provenance->push_back({element_of(FaceId{q}), 0});
-    for (std::size_t k = 0; k < 4; ++k) {
-      const Index a = cage.quads[q][k], b = cage.quads[q][(k + 1) % 4];
-      nodes->push_back(a);
-      const PatchSide here{q, std::uint8_t(k)};
-      const auto found = open.find({b, a});
-      if (found == open.end()) {
-        HARIKO_ASSERT(open.emplace(std::pair{a, b}, here).second, "two sides run the same way");
-        continue;
-      }
-      Seam seam;
-      seam.first = found->second;
-      seam.second = here;
-      seam.source = element_of(EdgeId::of(VertexId{a}, VertexId{b}));
-      seams->push_back(seam);
-      open.erase(found);
-    }
+    ClosedPatch place{cage.quads[q], {element_of(FaceId{q}), 0}, {}};
+    for (std::size_t k = 0; k < 4; ++k)
+      place.sources[k] = element_of(EdgeId::of(VertexId{place.nodes[k]}, VertexId{place.nodes[(k + 1) % 4]}));
+    places.push_back(place);
   }
-  HARIKO_ASSERT(open.empty(), "the cage is closed");
-  std::vector<Vector3> normals;
-  for (const Vector3& p : cage.positions) normals.push_back(field.at(p).gradient.stableNormalized());
-  Surface::Parts parts;
-  parts.origin = origin;
-  parts.patches = std::make_shared<const HermitePatchSet>(std::move(patches));
-  parts.seams = std::move(seams);
-  parts.provenance = std::move(provenance);
-  parts.corner_nodes = std::move(nodes);
-  parts.node_count = Index(cage.positions.size());
-  parts.node_normals = std::make_shared<const std::vector<Vector3>>(std::move(normals));
-  parts.boundary_sides = std::make_shared<const std::vector<PatchSide>>();
-  parts.boundary_sources = std::make_shared<const std::vector<Element>>();
-  return Surface(std::move(parts));
+  std::vector<Vector3> normals(cage.positions.size());
+  parallel_for(normals.size(), 512, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t v = begin; v < end; ++v)
+      normals[v] = field.at(cage.positions[v]).gradient.stableNormalized();
+  });
+  return closed_surface(origin, std::make_shared<const HermitePatchSet>(std::move(patches)), places,
+                        std::move(normals));
 }
 
 }  // namespace hariko

@@ -18,12 +18,16 @@ std::vector<HermitePatch> ball_patches(const SplineField& field, const BallCage&
 struct PatchFit {
   double outward = 0, inward = 0;  ///< lengths, each at least 0
   double least_agreement = 1;      ///< least cosine of the angle between the normals of patch and field
-  /// Angle of the surface's normals along sides 0 and 2, and along 1 and 3; radians.
-  std::array<double, 2> turn{};
 };
 /// Measures the deviations. `intervals`: number of sample intervals along a side.
 std::vector<PatchFit> patch_fits(const SplineField& field, std::span<const HermitePatch> patches,
                                  int intervals = 8);
+
+/// Angles over which the field's normals turn along sides 0 and 2 of a patch, and along 1 and 3; radians.
+using PatchTurn = std::array<double, 2>;
+/// Measures the turns. `intervals` as above.
+std::vector<PatchTurn> patch_turns(const SplineField& field, std::span<const HermitePatch> patches,
+                                   int intervals = 8);
 
 /// Makes the surface. Patch k has face k of the cage as provenance.
 Surface ball_surface(const SplineField& field, const BallCage& cage, std::vector<HermitePatch> patches,

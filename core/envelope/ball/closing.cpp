@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <span>
 
 namespace hariko {
 
@@ -18,11 +19,14 @@ struct Obstacle {
 };
 
 constexpr std::size_t most_obstacles = 8;
-constexpr int first_rounds = 8;
-constexpr std::size_t most_planes = 4;
+constexpr int first_rounds = 8;         ///< each adds an obstacle
+constexpr std::size_t most_planes = 4;  ///< three determine a displacement; a fourth to choose among
 constexpr int most_steps = 8;
+constexpr double search_width = 2.5;  ///< distance in radii within which a search hardly leaves a node
 constexpr double least_stiffness = 0.05;
 constexpr double no_value = -1e200;  ///< less than any real value
+/// Fraction of the radius by which the smallest ball reaches deeper than the largest all in a slot.
+constexpr double all_slot = 0.75;
 
 /// Nearest point to x outside a few obstacles, among the points that lie on the last one.
 class NearestOutside {
@@ -50,20 +54,24 @@ class NearestOutside {
     const Vector3 away = x_ - o.centre;
     if (const double length = away.norm(); length > 0) offer(o.centre + o.radius / length * away);
   }
-  /// Circle of intersection of two spheres: distance of its centre along the unit vector from p to q, and its
-  /// radius.
-  static std::optional<std::pair<double, double>> circle(const Obstacle& p, const Obstacle& q, double apart) {
+  /// Circle of intersection of two spheres: its axis, a unit vector from p to q, which are `apart`, the
+  /// distance of its centre along it, and its radius.
+  struct Circle {
+    Vector3 axis;
+    double apart, way, radius;
+  };
+  static std::optional<Circle> circle(const Obstacle& p, const Obstacle& q) {
+    const Vector3 axis = q.centre - p.centre;
+    const double apart = axis.norm();
     const double way = 0.5 * (apart + (p.radius - q.radius) * (p.radius + q.radius) / apart);
     const double square = (p.radius - way) * (p.radius + way);
     if (!(apart > 0) || !(square > 0)) return {};
-    return std::pair{way, std::sqrt(square)};
+    return Circle{axis / apart, apart, way, std::sqrt(square)};
   }
   void on_two(const Obstacle& p, const Obstacle& q) {
-    const Vector3 axis = q.centre - p.centre;
-    const double apart = axis.norm();
-    const auto round = circle(p, q, apart);
+    const auto round = circle(p, q);
     if (!round) return;
-    const Vector3 n = axis / apart, middle = p.centre + round->first * n;
+    const Vector3 &n = round->axis, middle = p.centre + round->way * n;
     Vector3 side = x_ - middle;
     side -= side.dot(n) * n;
     double length = side.norm();
@@ -71,20 +79,18 @@ class NearestOutside {
       side = n.unitOrthogonal();
       length = 1;
     }
-    offer(middle + round->second / length * side);
+    offer(middle + round->radius / length * side);
   }
   void on_three(const Obstacle& p, const Obstacle& q, const Obstacle& r) {
-    const Vector3 axis = q.centre - p.centre;
-    const double apart = axis.norm();
-    const auto round = circle(p, q, apart);
+    const auto round = circle(p, q);
     if (!round) return;
-    const Vector3 ex = axis / apart, to = r.centre - p.centre;
+    const Vector3 &ex = round->axis, to = r.centre - p.centre;
     const double i = ex.dot(to);
     const Vector3 across = to - i * ex;
     const double j = across.norm();
-    if (!(j > 1e-9 * apart)) return;
+    if (!(j > 1e-9 * round->apart)) return;
     const Vector3 ey = across / j;
-    const double x = round->first;
+    const double x = round->way;
     const double y = 0.5 * ((p.radius - r.radius) * (p.radius + r.radius) + i * i + j * j - 2 * i * x) / j;
     const double square = (p.radius - x) * (p.radius + x) - y * y;
     if (!(square >= 0)) return;
@@ -106,90 +112,96 @@ struct TangentPlane {
   Index solid;
 };
 
-/// Displacement in the intersection of all half-spaces nearest to `target`, with the active planes.
-class TangentStep {
- public:
-  TangentStep(const Vector3& target, std::span<const TangentPlane> planes, double slack)
-      : target_(target), planes_(planes), slack_(slack) {
-    offer(target, {}, 0);
-    // A feasible displacement with non-negative multipliers is the nearest, and the only one.
-    for (std::size_t i = 0; i < planes.size() && !found(); ++i) {
-      on_planes({i}, 1);
-      for (std::size_t j = 0; j < i && !found(); ++j) {
-        on_planes({i, j}, 2);
-        for (std::size_t k = 0; k < j && !found(); ++k) on_planes({i, j, k}, 3);
-      }
-    }
-  }
-
-  bool found() const { return found_; }
-  const Vector3& way() const { return way_; }
-  int active() const { return active_; }
-  std::size_t plane(std::size_t i) const { return of_[i]; }
-  /// Multipliers of the active planes: the displacement is target plus the sum of them times the directions.
-  double multiplier(std::size_t i) const { return multipliers_[Eigen::Index(i)]; }
-
- private:
-  void offer(const Vector3& way, const std::array<std::size_t, 3>& of, int active,
-             const Vector3& multipliers = Vector3::Zero()) {
-    for (const TangentPlane& plane : planes_)
-      if (plane.direction.dot(way) < plane.least - slack_) return;
-    found_ = true;
-    way_ = way;
-    of_ = of;
-    active_ = active;
-    multipliers_ = multipliers;
-  }
-
-  /// Nearest displacement that lies in all of these planes.
-  void on_planes(const std::array<std::size_t, 3>& of, int count) {
-    constexpr double least_volume = 1e-12;  ///< square of the volume that the unit directions span
-    const Vector3 &a = planes_[of[0]].direction, &b = planes_[of[1]].direction, &c = planes_[of[2]].direction;
-    const auto miss = [&](std::size_t i) {
-      return planes_[of[i]].least - planes_[of[i]].direction.dot(target_);
-    };
-    Vector3 multipliers = Vector3::Zero();
-    Vector3 way = target_;
-    if (count == 1) {
-      multipliers[0] = miss(0);
-      way += multipliers[0] * a;
-    } else if (count == 2) {
-      const double cosine = a.dot(b), square = 1 - cosine * cosine, miss_a = miss(0), miss_b = miss(1);
-      if (!(square > least_volume)) return;
-      multipliers.head<2>() << (miss_a - cosine * miss_b) / square, (miss_b - cosine * miss_a) / square;
-      way += multipliers[0] * a + multipliers[1] * b;
-    } else {
-      const Vector3 bc = b.cross(c), ca = c.cross(a), ab = a.cross(b);
-      const double volume = a.dot(bc);
-      if (!(volume * volume > least_volume)) return;
-      const Vector3 shift = (miss(0) * bc + miss(1) * ca + miss(2) * ab) / volume;
-      multipliers = Vector3(bc.dot(shift), ca.dot(shift), ab.dot(shift)) / volume;
-      way += shift;
-    }
-    if (multipliers.minCoeff() < 0) return;
-    offer(way, of, count, multipliers);
-  }
-
-  const Vector3& target_;
-  std::span<const TangentPlane> planes_;
-  double slack_;
-  bool found_ = false;
-  Vector3 way_ = Vector3::Zero(), multipliers_ = Vector3::Zero();
-  std::array<std::size_t, 3> of_{};
-  int active_ = 0;
+/// Displacement with the planes in which it lies: the target plus the sum of the multipliers times their
+/// directions.
+struct TangentStep {
+  Vector3 way;
+  std::array<std::size_t, 3> planes;
+  int active;
+  Vector3 multipliers = Vector3::Zero();
 };
 
+/// Nearest displacement to `target` that lies in all of `active` planes; nothing where it leaves a
+/// half-space, or where a multiplier is negative.
+std::optional<TangentStep> step_on(const std::array<std::size_t, 3>& of, int active, const Vector3& target,
+                                   std::span<const TangentPlane> planes, double slack) {
+  constexpr double least_volume = 1e-12;  ///< square of the volume that the unit directions span
+  const auto direction = [&](std::size_t i) -> const Vector3& { return planes[of[i]].direction; };
+  const auto miss = [&](std::size_t i) { return planes[of[i]].least - direction(i).dot(target); };
+  TangentStep out{target, of, active};
+  if (active == 1) {
+    out.multipliers[0] = miss(0);
+    out.way += out.multipliers[0] * direction(0);
+  } else if (active == 2) {
+    const Vector3 &a = direction(0), &b = direction(1);
+    const double cosine = a.dot(b), square = 1 - cosine * cosine, miss_a = miss(0), miss_b = miss(1);
+    if (!(square > least_volume)) return {};
+    out.multipliers.head<2>() << (miss_a - cosine * miss_b) / square, (miss_b - cosine * miss_a) / square;
+    out.way += out.multipliers[0] * a + out.multipliers[1] * b;
+  } else if (active == 3) {
+    const Vector3 &a = direction(0), &b = direction(1), &c = direction(2);
+    const Vector3 bc = b.cross(c), ca = c.cross(a), ab = a.cross(b);
+    const double volume = a.dot(bc);
+    if (!(volume * volume > least_volume)) return {};
+    const Vector3 shift = (miss(0) * bc + miss(1) * ca + miss(2) * ab) / volume;
+    out.multipliers = Vector3(bc.dot(shift), ca.dot(shift), ab.dot(shift)) / volume;
+    out.way += shift;
+  }
+  if (out.multipliers.minCoeff() < 0) return {};
+  for (const TangentPlane& plane : planes)
+    if (plane.direction.dot(out.way) < plane.least - slack) return {};
+  return out;
+}
+
+/// Displacement in the intersection of all half-spaces nearest to `target`.
+std::optional<TangentStep> tangent_step(const Vector3& target, std::span<const TangentPlane> planes,
+                                        double slack) {
+  std::optional<TangentStep> out = step_on({}, 0, target, planes, slack);
+  // A feasible displacement with non-negative multipliers is the nearest, and the only one.
+  for (std::size_t i = 0; i < planes.size() && !out; ++i) {
+    out = step_on({i}, 1, target, planes, slack);
+    for (std::size_t j = 0; j < i && !out; ++j) {
+      out = step_on({i, j}, 2, target, planes, slack);
+      for (std::size_t k = 0; k < j && !out; ++k) out = step_on({i, j, k}, 3, target, planes, slack);
+    }
+  }
+  return out;
+}
+
 }  // namespace
+
+void ClosingReach::include(const Vector3& other, double within) {
+  const double way = (other - about).norm();
+  if (way + within <= reach) return;
+  if (way + reach <= within) {
+    about = other;
+    reach = within;
+    return;
+  }
+  const double both = 0.5 * (way + reach + within);
+  about += (both - reach) / way * (other - about);
+  reach = both;
+}
 
 /// Search that adds obstacles where a centre lies too near to a solid, until none does: each is a ball inside
 /// the solid, so the centre found is never farther from x than the right one.
 struct Closing::Search {
+  Search(const Closing& of, const Vector3& at) : closing(of), x(at) {
+    // A little more than the width, for rounding.
+    const double width = (1 + 1e-9) * search_width * closing.radius_;
+    for (const Index i : closing.all_)
+      if (!closing.solids_.is_farther(i, x, width)) about_x.push_back(i);
+  }
+
   const Closing& closing;
   const Vector3& x;
-  std::span<const Index> among;
+  std::vector<Index> about_x;  ///< numbers of the solids within the search's width, in order
   std::array<Obstacle, most_obstacles> obstacles = {};
   std::size_t count = 0;
   ClosedDistance best = {-1e300, {}, true};
+  /// Ball that holds all places where solids were asked for, each with the distance from which on they change
+  /// nothing.
+  ClosingReach asked = {};
 
   /// Offers a centre y, where `room` is the distance from y to the solids, at most the ball's radius. A ball
   /// that penetrates a solid is refused.
@@ -198,12 +210,21 @@ struct Closing::Search {
     if (const double value = room - (y - x).norm(); value > best.value) best.value = value, best.centre = y;
     return true;
   }
-  NearestSolid room_at(const Vector3& y) const {
+
+  /// Solids among which are all that are nearer to y than `within`, in order.
+  std::span<const Index> solids_within(const Vector3& y, double within) const {
+    const double left = search_width * closing.radius_ - within;
+    return left > 0 && (y - x).squaredNorm() < left * left ? about_x : closing.all_;
+  }
+
+  /// Nearest solid, and its distance, where that is less than the ball's radius.
+  NearestSolid room_at(const Vector3& y) {
     NearestSolid out{no_index, closing.radius_};
-    for (const Index i : among) {
+    for (const Index i : solids_within(y, closing.radius_)) {
       if (closing.solids_.is_farther(i, y, out.distance)) continue;
       if (const double e = closing.solids_.distance(i, y); e < out.distance) out = {i, e};
     }
+    asked.include(y, out.distance);
     return out;
   }
 
@@ -223,6 +244,14 @@ struct Closing::Search {
   }
 
   ClosedDistance run(const Vector3& start) {
+    // The solids that the ball about the start touches keep it away from x.
+    const double touched = closing.radius_ + closing.accuracy_;
+    asked.include(start, touched);
+    for (const Index i : solids_within(start, touched)) {
+      if (count + 2 >= most_obstacles) break;
+      if (!closing.solids_.is_farther(i, start, touched) && closing.solids_.distance(i, start) < touched)
+        add(i, start);
+    }
     Vector3 y = start;
     for (int round = 0; round < first_rounds; ++round) {
       if (look(y)) break;
@@ -259,7 +288,7 @@ struct Closing::Search {
     const double radius = closing.radius_;
     std::size_t found = 0;
     double least = radius;
-    for (const Index i : among) {
+    for (const Index i : solids_within(y, radius + slack)) {
       if (closing.solids_.is_farther(i, y, radius + slack)) continue;
       const SolidPlace at = closing.solids_[i].shape.place(y);
       const double e = at.distance - closing.solids_[i].growth;
@@ -272,22 +301,23 @@ struct Closing::Search {
       for (; to > 0 && planes[to - 1].least < one.least; --to) planes[to] = planes[to - 1];
       planes[to] = one;
     }
+    asked.include(y, found == most_planes ? radius - planes.back().least : radius + slack);
     offer(y, least);
     return found;
   }
 
   /// Rolls the ball along two solids at once; the step length takes their curvature into account.
   Vector3 rolled(const Vector3& y, const TangentStep& step, std::span<const TangentPlane> planes) const {
-    const TangentPlane &a = planes[step.plane(0)], &b = planes[step.plane(1)];
+    const TangentPlane &a = planes[step.planes[0]], &b = planes[step.planes[1]];
     const Vector3 along = a.direction.cross(b.direction).stableNormalized();
-    const double far = along.dot(step.way()), trial = 0.01 * closing.radius_;
+    const double far = along.dot(step.way), trial = 0.01 * closing.radius_;
     const auto bend = [&](const TangentPlane& plane) {
       return along.dot(closing.solids_[plane.solid].shape.place(y + trial * along).gradient -
                        plane.direction) /
              trial;
     };
-    const double stiffness = 1 - step.multiplier(0) * bend(a) - step.multiplier(1) * bend(b);
-    return step.way() + (far / std::max(stiffness, least_stiffness) - far) * along;
+    const double stiffness = 1 - step.multipliers[0] * bend(a) - step.multipliers[1] * bend(b);
+    return step.way + (far / std::max(stiffness, least_stiffness) - far) * along;
   }
 
   /// Improves a nearly correct centre by steps in tangent planes.
@@ -296,10 +326,10 @@ struct Closing::Search {
     std::array<TangentPlane, most_planes> planes;
     double slack = 0.25 * closing.radius_;
     for (int round = 0; round < most_steps; ++round) {
-      const std::span<const TangentPlane> about(planes.data(), planes_about(y, slack, planes));
-      const TangentStep step(x - y, about, 0.1 * accuracy);
-      if (!step.found()) return;
-      const Vector3 way = step.active() == 2 ? rolled(y, step, about) : step.way();
+      const std::span<const TangentPlane> near(planes.data(), planes_about(y, slack, planes));
+      const std::optional<TangentStep> step = tangent_step(x - y, near, 0.1 * accuracy);
+      if (!step) return;
+      const Vector3 way = step->active == 2 ? rolled(y, *step, near) : step->way;
       y += way;
       slack = std::max(2 * way.norm(), accuracy);
       if (way.norm() < accuracy) {
@@ -311,42 +341,60 @@ struct Closing::Search {
   }
 };
 
-ClosedDistance Closing::search(const Vector3& x, const Vector3& start, std::span<const Index> among) const {
-  Search search{*this, x, among};
-  // The solids that the ball about the start touches keep it away from x.
-  for (const Index i : among) {
-    if (search.count + 2 >= most_obstacles) break;
-    if (!solids_.is_farther(i, start, radius_ + accuracy_) &&
-        solids_.distance(i, start) < radius_ + accuracy_)
-      search.add(i, start);
+ClosedDistance Closing::at(const Vector3& x, const Vector3* start, ClosingReach* reach) const {
+  const auto depends = [&](const ClosingReach& on) {
+    if (reach) *reach = on;
+  };
+  const NearestSolid nearest = solids_.nearest(x);
+  if (nearest.distance >= radius_) {
+    depends({x, nearest.distance, no_index});
+    return {nearest.distance, x, false};
   }
-  return search.run(start);
-}
-
-ClosedDistance Closing::at(const Vector3& x, std::span<const Index> among, const Vector3* start) const {
-  const NearestSolid nearest = solids_.nearest(x, among);
-  if (nearest.distance >= radius_) return {nearest.distance, x, false};
   const SolidShape& shape = solids_[nearest.solid].shape;
   const Vector3 y = x + (radius_ - nearest.distance) * shape.place(x).gradient;
-  const bool free = std::ranges::all_of(among, [&](Index i) {
+  const auto blocks = [&](Index i) {
     // Straight away from a convex solid the distance grows by as much as the way.
-    if (i == nearest.solid && shape.is_convex()) return true;
-    return solids_.is_farther(i, y, radius_ - accuracy_) || solids_.distance(i, y) >= radius_ - accuracy_;
-  });
-  if (free) return {nearest.distance, y, false};
-  if (start) {
-    Search near{*this, x, among};
-    near.slide(*start);
-    if (near.best.value > no_value) return near.best;
+    if (i == nearest.solid && shape.is_convex()) return false;
+    return !solids_.is_farther(i, y, radius_ - accuracy_) && solids_.distance(i, y) < radius_ - accuracy_;
+  };
+  Index blocker = 0;
+  while (blocker < solids_.size() && !blocks(blocker)) ++blocker;
+  if (blocker == solids_.size()) {
+    // Solids beyond the ball about y are beyond the one about x that touches the nearest solid.
+    depends({y, radius_, no_index});
+    return {nearest.distance, y, false};
   }
-  return search(x, y, among);
+  Search search{*this, x};
+  search.asked.include(x, nearest.distance);
+  if (start) search.slide(*start);
+  if (search.best.value <= no_value) search.run(y);
+  depends({search.asked.about, search.asked.reach, blocker});
+  return search.best;
 }
 
 ClosedDistance Closing::improved(const Vector3& x, const ClosedDistance& known, const Vector3& start,
-                                 std::span<const Index> among) const {
-  Search other{*this, x, among};
+                                 ClosingReach* reach) const {
+  Search other{*this, x};
   other.slide(start);
+  if (reach) *reach = other.asked;
   return other.best.value > known.value ? other.best : known;
+}
+
+SlotTest slot_test(const Closing& smaller, const Closing& larger, double radius, const Vector3& x,
+                   const ClosedDistance& here) {
+  SlotTest out;
+  out.known = true;
+  if (here.value >= larger.radius()) return out;
+  const auto value_of = [&](const Closing& ball, ClosingReach& reach) {
+    const Vector3 start = x + ball.radius() / radius * (here.centre - x);
+    return ball.at(x, &start, &reach).value;
+  };
+  // A smaller ball has the same value where one solid alone determines it.
+  const double inner = here.crease ? value_of(smaller, out.smaller) : here.value;
+  const double gain = (inner - value_of(larger, out.larger)) / radius;
+  const double t = std::clamp((gain - no_slot) / (all_slot - no_slot), 0.0, 1.0);
+  out.share = t * t * (3 - 2 * t);
+  return out;
 }
 
 }  // namespace hariko

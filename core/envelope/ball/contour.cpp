@@ -1,9 +1,7 @@
-#include "core/envelope/ball/contour.hpp"
-
-#include <algorithm>
-#include <cmath>
-#include <span>
 #include <unordered_map>
+
+#include "core/base/index_list.hpp"
+#include "core/envelope/ball/ball_cage.hpp"
 
 namespace hariko {
 
@@ -16,24 +14,28 @@ Node moved(Node node, int axis, int by) {
   return node;
 }
 
-/// Key of a node, or of the edge that begins there along an axis, or of the face perpendicular to it.
-std::uint64_t key_of(const Node& node, int axis = 0) {
-  std::uint64_t out = std::uint64_t(axis);
-  for (const int x : node) out = out << 20 | std::uint64_t(x);
-  return out;
-}
-
 /// Edge between nodes of different signs, without a node in between.
 struct Crossing {
   Node node;  ///< the lower node
   int axis, length;
   bool rises;  ///< from inside to outside, in the direction of traversal
+
+  std::uint64_t key() const { return packed_key(axis, node); }
+  bool is_same(const Crossing& other) const { return node == other.node && axis == other.axis; }
 };
 
 /// Crossings with the boundary of a face: at most one on each half of its sides.
 struct Crossings {
   std::array<Crossing, 8> all;
   std::size_t count = 0;
+};
+
+/// Two crossings of a face's boundary that are joined.
+using Segment = std::array<Crossing, 2>;
+struct Segments {
+  std::array<Segment, 4> all{};
+  std::size_t count = 0;
+  std::span<const Segment> found() const { return {all.data(), count}; }
 };
 
 /// Square between two cubes, not divided into smaller ones.
@@ -60,7 +62,8 @@ class Contouring {
 
  private:
   double value(const Node& node) {
-    const auto [known, fresh] = values_.try_emplace(key_of(node), 0);
+    if (const double kept = cubes_.known_value(node); !std::isnan(kept)) return kept;
+    const auto [known, fresh] = values_.try_emplace(packed_key(0, node), 0);
     if (fresh) known->second = field_.value(cubes_.point(node));
     return known->second;
   }
@@ -76,17 +79,28 @@ class Contouring {
     for (int k = 0; k < size[2]; ++k)
       for (int j = 0; j < size[1]; ++j)
         for (int i = 0; i < size[0]; ++i) find_in({0, {i, j, k}});
+    if (cubes_.any_split()) values_.reserve(4 * leaves_.size());
   }
   void find_in(const Cube& cube) {
-    const int steps = cubes_.steps(cube.level);
-    const Node low{cube.at[0] * steps, cube.at[1] * steps, cube.at[2] * steps};
-    const double half = 0.5 * cubes_.edge(cube.level);
-    const Vector3 middle = cubes_.point(low) + Vector3::Constant(half);
-    if (std::abs(field_.value(middle)) > reach * half) return;
+    if (is_far(cube)) return;
     if (!cubes_.is_split(cube)) return leaves_.push_back(cube);
-    for (int c = 0; c < 8; ++c)
-      find_in({cube.level + 1,
-               {2 * cube.at[0] + (c & 1), 2 * cube.at[1] + (c >> 1 & 1), 2 * cube.at[2] + (c >> 2)}});
+    for (int c = 0; c < 8; ++c) find_in(cube.part(c));
+  }
+
+  /// Whether the surface lies beyond the search radius of a cube.
+  bool is_far(const Cube& cube) const {
+    const double half = 0.5 * cubes_.edge(cube.level), enough = reach * half;
+    const Node low = cubes_.low_node(cube);
+    if (cube.level == 0) {
+      const int to = cubes_.steps(0) / 2;
+      const double kept = std::abs(cubes_.known_value({low[0] + to, low[1] + to, low[2] + to}));
+      // Its place is the middle but for rounding: near the limit it does not decide.
+      constexpr double clearly = 1 + 1e-6;
+      if (kept > clearly * enough) return true;
+      if (clearly * kept < enough) return false;
+    }
+    const Vector3 middle = cubes_.point(low) + Vector3::Constant(half);
+    return std::abs(field_.value(middle)) > enough;
   }
 
   /// Whether a cube of this level that touches the edge is split.
@@ -127,13 +141,14 @@ class Contouring {
 
   /// Pairs of crossings of a face's boundary that are joined. If the face's centre is inside, outside corners
   /// are cut off.
-  std::vector<std::array<Crossing, 2>> segments(const Face& face) {
+  Segments segments(const Face& face) {
     const Crossings found = crossings(face);
     const std::span all(found.all.data(), found.count);
-    if (all.empty()) return {};
+    Segments out;
+    if (all.empty()) return out;
     bool cut_outside = true;
     if (all.size() > 2) {
-      const auto [known, fresh] = decisions_.try_emplace(key_of(face.node, face.axis), face, false);
+      const auto [known, fresh] = decisions_.try_emplace(packed_key(face.axis, face.node), face, false);
       if (fresh) {
         const int half = cubes_.steps(face.level);
         const Node far = moved(moved(face.node, (face.axis + 1) % 3, half), (face.axis + 2) % 3, half);
@@ -141,17 +156,17 @@ class Contouring {
       }
       cut_outside = known->second.second;
     }
-    std::vector<std::array<Crossing, 2>> out;
     for (std::size_t i = 0; i < all.size(); ++i)
-      if (all[i].rises == cut_outside) out.push_back({all[i], all[(i + 1) % all.size()]});
+      if (all[i].rises == cut_outside) out.all[out.count++] = {all[i], all[(i + 1) % all.size()]};
     return out;
   }
 
-  /// Faces between a cube and its neighbours, which may be smaller.
-  std::vector<Face> faces_of(const Cube& cube) const {
+  /// Faces between a cube and its neighbours, which may be smaller; until the next call.
+  const std::vector<Face>& faces_of(const Cube& cube) {
     const int steps = cubes_.steps(cube.level);
-    const Node low{cube.at[0] * steps, cube.at[1] * steps, cube.at[2] * steps};
-    std::vector<Face> out;
+    const Node low = cubes_.low_node(cube);
+    std::vector<Face>& out = faces_;
+    out.clear();
     for (int axis = 0; axis < 3; ++axis)
       for (const int side : {0, 1}) {
         const Node node = moved(low, axis, side * steps);
@@ -182,18 +197,28 @@ class Contouring {
     return p + f / (f - g) * (q - p);
   }
 
+  /// Whether all corners of a cube are on one side of the surface.
+  bool is_on_one_side(const Cube& cube) {
+    const int steps = cubes_.steps(cube.level);
+    const Node low = cubes_.low_node(cube);
+    const bool first = inside(low);
+    for (int c = 1; c < 8; ++c) {
+      const Node corner{low[0] + (c & 1) * steps, low[1] + (c >> 1 & 1) * steps, low[2] + (c >> 2) * steps};
+      if (inside(corner) != first) return false;
+    }
+    return true;
+  }
+
   /// Makes one vertex for every closed path round the cube from face to face.
   void trace_cube(const Cube& cube) {
-    struct Link {
-      std::array<Crossing, 2> ends;
-      bool done = false;
-    };
-    std::vector<Link> links;
-    for (const Face& face : faces_of(cube))
-      for (const auto& segment : segments(face)) links.push_back({segment});
-    const auto same = [](const Crossing& a, const Crossing& b) {
-      return a.node == b.node && a.axis == b.axis;
-    };
+    // Without smaller cubes beside it the surface crosses a cube's edges between its corners alone.
+    if (!cubes_.any_split() && is_on_one_side(cube)) return;
+    std::vector<Link>& links = links_;
+    links.clear();
+    for (const Face& face : faces_of(cube)) {
+      const Segments cut = segments(face);
+      for (const Segment& segment : cut.found()) links.push_back({segment});
+    }
     for (Link& first : links) {
       if (first.done) continue;
       ContourVertex vertex{cube};
@@ -204,11 +229,11 @@ class Contouring {
         link->done = true;
         vertex.position += place(at);
         ++vertex.faces;
-        at_[key_of(at.node, at.axis)].push_back({cube, at, number});
-        at = same(link->ends[0], at) ? link->ends[1] : link->ends[0];
+        at_[at.key()].push_back({cube, at, number});
+        at = link->ends[0].is_same(at) ? link->ends[1] : link->ends[0];
         link = nullptr;
         for (Link& next : links)
-          if (!next.done && (same(next.ends[0], at) || same(next.ends[1], at))) link = &next;
+          if (!next.done && (next.ends[0].is_same(at) || next.ends[1].is_same(at))) link = &next;
       }
       vertex.position /= vertex.faces;
       out_.vertices.push_back(vertex);
@@ -216,10 +241,10 @@ class Contouring {
   }
 
   Index vertex_at(const Cube& cube, const Crossing& at) const {
-    const auto found = at_.find(key_of(at.node, at.axis));
+    const auto found = at_.find(at.key());
     if (found == at_.end()) return no_index;
     for (const Corner& corner : found->second)
-      if (corner.cube.level == cube.level && corner.cube.at == cube.at) return corner.vertex;
+      if (corner.cube == cube) return corner.vertex;
     return no_index;
   }
 
@@ -239,9 +264,7 @@ class Contouring {
     for (const auto& [key, corners] : at_)
       for (const Cube& cube : cubes_about(corners.front().crossing))
         if (vertex_at(cube, corners.front().crossing) == no_index) missed.push_back(cube);
-    const auto same = [](const Cube& a, const Cube& b) { return a.level == b.level && a.at == b.at; };
-    std::ranges::sort(missed, {}, [](const Cube& cube) { return std::pair(cube.level, cube.at); });
-    missed.erase(std::unique(missed.begin(), missed.end(), same), missed.end());
+    sort_unique(missed);
     leaves_.insert(leaves_.end(), missed.begin(), missed.end());
     return !missed.empty();
   }
@@ -252,13 +275,13 @@ class Contouring {
     bool flipped = false;
     for (auto& [key, decision] : decisions_) {
       const Face& face = decision.first;
-      const auto cut = segments(face);
+      const Segments cut = segments(face);
       const auto one_vertex = [&](int side) {
         const Cube cube = cubes_.leaf(moved(face.node, face.axis, side));
-        const Index first = vertex_at(cube, cut[0][0]);
-        return first != no_index && first == vertex_at(cube, cut[1][0]);
+        const Index first = vertex_at(cube, cut.all[0][0]);
+        return first != no_index && first == vertex_at(cube, cut.all[1][0]);
       };
-      if (cut.size() != 2 || !one_vertex(0) || !one_vertex(-1)) continue;
+      if (cut.count != 2 || !one_vertex(0) || !one_vertex(-1)) continue;
       decision.second = !decision.second;
       flipped = true;
     }
@@ -272,11 +295,8 @@ class Contouring {
     for (const std::uint64_t key : keys) {
       const Crossing& edge = at_.at(key).front().crossing;
       std::vector<Index> loop;
-      for (const Cube& cube : cubes_about(edge)) {
-        const Index vertex = vertex_at(cube, edge);
-        if (loop.empty() || loop.back() != vertex) loop.push_back(vertex);
-      }
-      if (loop.size() > 1 && loop.front() == loop.back()) loop.pop_back();
+      for (const Cube& cube : cubes_about(edge)) loop.push_back(vertex_at(cube, edge));
+      remove_repeats(loop);
       if (!inside(edge.node)) std::ranges::reverse(loop);
       std::array<Index, 4> face{no_index, no_index, no_index, no_index};
       std::ranges::copy(loop, face.begin());
@@ -284,6 +304,10 @@ class Contouring {
     }
   }
 
+  struct Link {
+    Segment ends;
+    bool done = false;
+  };
   struct Corner {
     Cube cube;
     Crossing crossing;
@@ -297,6 +321,8 @@ class Contouring {
   /// Whether a face's centre counts as inside.
   std::unordered_map<std::uint64_t, std::pair<Face, bool>> decisions_;
   std::unordered_map<std::uint64_t, std::vector<Corner>> at_;  ///< by crossed edge
+  std::vector<Link> links_;                                    ///< links in the cube being traced
+  std::vector<Face> faces_;                                    ///< likewise
   Contour out_;
 };
 

@@ -3,27 +3,38 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
+#include <numbers>
 
+#include "core/base/equal_bits.hpp"
 #include "core/envelope/ball/ball_lattice.hpp"
-#include "core/envelope/ball/soft_solid.hpp"
 
 namespace hariko {
 
 namespace {
 
-/// Distance of points, given in a solid's own axes, from the solid followed in its place.
-class FollowedDistance {
- public:
-  FollowedDistance(const SolidShape& solid, const SolidShape& followed)
-      : solid_(solid), followed_(&followed == &solid ? nullptr : &followed) {}
-  double operator()(const Vector3& own) const {
-    return followed_ ? followed_->distance(solid_.from_own_axes(own)) : solid_.own_distance(own);
-  }
+/// Largest inward move of faces relative to the inscribed ball's radius, so that part of every solid remains.
+constexpr double most_softened = 0.95;
 
- private:
-  const SolidShape& solid_;
-  const SolidShape* followed_;  ///< null: the solid itself
+/// Distance of a cross-section's sides from the axis, in the narrower direction.
+double narrowest(const Solid& s) {
+  const bool round = s.kind == SolidKind::cylinder || s.kind == SolidKind::cone;
+  return s.radius * (round ? 1 : std::cos(std::numbers::pi / s.sides)) * std::min(s.scale.x(), s.scale.y());
+}
+
+/// Scales a solid by `share` about a point in its own axes.
+void shrink(Solid& solid, const Vector3& about, double share) {
+  solid.position += solid_rotation(solid.rotation) * (1 - share) * about.cwiseProduct(solid.scale);
+  solid.radius *= share;
+  solid.height *= share;
+  for (Vector3& p : solid.points) p *= share;
+}
+
+/// Distance of points, given in a solid's own axes, from the solid followed in its place.
+struct FollowedDistance {
+  const SolidShape &solid, &followed;
+  double operator()(const Vector3& own) const {
+    return &followed == &solid ? solid.own_distance(own) : followed.distance(solid.from_own_axes(own));
+  }
 };
 
 /// Mean of the distance with the weights of the final lattice, for a node at the point.
@@ -81,22 +92,11 @@ std::vector<Vector3> worth_a_look(const FollowedDistance& distance, const std::v
 
 constexpr double least_depth = 0.5;  ///< depth of the centre of a solid below the zero surface, in sigma
 
-}  // namespace
-
 double growth_constant(const SolidShape& solid, const SolidShape& followed, double sigma) {
-  const FollowedDistance distance(solid, followed);
+  const FollowedDistance distance{solid, followed};
   double out = 0;
   for (const Vector3& p : worth_a_look(distance, solid.extremes(), -1, sigma))
     out = std::max(out, mean_distance(distance, p, sigma));
-  return out;
-}
-
-double face_constant(const SolidShape& solid, const SolidShape& followed, double sigma) {
-  if (solid.face_middles().empty()) return growth_constant(solid, followed, sigma);
-  const FollowedDistance distance(solid, followed);
-  double out = 1e300;
-  for (const Vector3& p : worth_a_look(distance, solid.face_middles(), 1, sigma))
-    out = std::min(out, mean_distance(distance, p, sigma));
   return out;
 }
 
@@ -105,8 +105,59 @@ double face_constant(const SolidShape& solid, const SolidShape& followed, double
 double lying_constant(const SolidShape& solid, const SolidShape& followed, double sigma) {
   const double constant = face_constant(solid, followed, sigma);
   if (solid.face_middles().empty()) return constant;
-  const FollowedDistance distance(solid, followed);
+  const FollowedDistance distance{solid, followed};
   return std::max(constant, mean_distance(distance, solid.middle(), sigma) + least_depth * sigma);
+}
+
+}  // namespace
+
+Solid softened(const Solid& solid) {
+  Solid out = solid;
+  if (!solid.roundness) return out;
+  const double part = most_softened * *solid.roundness;
+  switch (solid.kind) {
+    case SolidKind::sphere:
+    case SolidKind::capsule:
+    case SolidKind::torus:
+      break;
+    case SolidKind::box: {
+      const Vector3 size = solid.size.cwiseProduct(solid.scale);
+      out.size -= part * size.minCoeff() * solid.scale.cwiseInverse();
+      break;
+    }
+    case SolidKind::cylinder:
+    case SolidKind::prism: {
+      const double beside = narrowest(solid), above = 0.5 * solid.height * solid.scale.z();
+      const double inwards = part * std::min(beside, above);
+      out.radius *= 1 - inwards / beside;
+      out.height *= 1 - inwards / above;
+      break;
+    }
+    case SolidKind::cone:
+    case SolidKind::pyramid: {
+      // The ball that touches the base and the sides stays where it is.
+      const double beside = narrowest(solid), height = solid.height * solid.scale.z();
+      const double held = beside * height / (beside + std::hypot(beside, height));
+      shrink(out, {0, 0, held / solid.scale.z() - 0.25 * solid.height}, 1 - part);
+      break;
+    }
+    case SolidKind::polyhedron: {
+      Vector3 middle = Vector3::Zero();
+      for (const Vector3& p : solid.points) middle += p / double(solid.points.size());
+      shrink(out, middle, 1 - part);
+      break;
+    }
+  }
+  return out;
+}
+
+double face_constant(const SolidShape& solid, const SolidShape& followed, double sigma) {
+  if (solid.face_middles().empty()) return growth_constant(solid, followed, sigma);
+  const FollowedDistance distance{solid, followed};
+  double out = 1e300;
+  for (const Vector3& p : worth_a_look(distance, solid.face_middles(), 1, sigma))
+    out = std::min(out, mean_distance(distance, p, sigma));
+  return out;
 }
 
 double constant_of(const Solid& solid, double sigma, bool on_faces) {
@@ -119,7 +170,8 @@ double constant_of(const Solid& solid, double sigma, bool on_faces) {
   return on_faces ? lying_constant(shape, followed, sigma) : growth_constant(shape, followed, sigma);
 }
 
-double GrowthConstants::of(std::size_t number, const Solid& solid, double sigma, bool on_faces) {
+GrownSolid KnownSolids::grown(std::size_t number, const Solid& solid, const Vector3& origin, double sigma,
+                              bool on_faces, double room) {
   if (known_.size() <= number) known_.resize(number + 1);
   Known& known = known_[number];
   Solid unplaced = solid;
@@ -129,27 +181,34 @@ double GrowthConstants::of(std::size_t number, const Solid& solid, double sigma,
     const double constant = constant_of(unplaced, sigma, on_faces);
     known = {std::move(unplaced), sigma, on_faces, constant};
   }
-  return known.constant;
-}
-
-GrownSolid grown_solid(const Solid& solid, const Vector3& origin, double growth) {
-  return {SolidShape(softened(solid), origin), growth};
+  const double growth = known.constant + room;
+  if (!known.grown || known.grown->growth != growth || !equal_bits(known.origin, origin) ||
+      !equal_bits(known.position, solid.position) || !equal_bits(known.rotation, solid.rotation)) {
+    known.grown = GrownSolid{SolidShape(softened(solid), origin), growth};
+    known.origin = origin;
+    known.position = solid.position;
+    known.rotation = solid.rotation;
+  }
+  return *known.grown;
 }
 
 GrownUnion::GrownUnion(std::vector<GrownSolid> solids) : solids_(std::move(solids)) {
-  all_.resize(solids_.size());
-  std::iota(all_.begin(), all_.end(), Index(0));
   for (const GrownSolid& solid : solids_) {
-    balls_.push_back({solid.shape.centre(), solid.shape.reach() + solid.growth});
-    const Vector3 reach = Vector3::Constant(balls_.back().radius);
-    box_.extend(Vector3(solid.shape.centre() - reach));
-    box_.extend(Vector3(solid.shape.centre() + reach));
+    const SolidShape& shape = solid.shape;
+    balls_.push_back({shape.centre(), shape.reach() + solid.growth});
+    Vector3 low = shape.centre(), high = low;
+    for (Eigen::Index a = 0; a < 3; ++a) {
+      low[a] -= shape.extent(-Vector3::Unit(a)) + solid.growth;
+      high[a] += shape.extent(Vector3::Unit(a)) + solid.growth;
+    }
+    box_.extend(low);
+    box_.extend(high);
   }
 }
 
-NearestSolid GrownUnion::nearest(const Vector3& point, std::span<const Index> among) const {
+NearestSolid GrownUnion::nearest(const Vector3& point) const {
   NearestSolid out;
-  for (const Index i : among) {
+  for (Index i = 0; i < solids_.size(); ++i) {
     if (is_farther(i, point, out.distance)) continue;
     if (const double d = distance(i, point); d < out.distance) out = {i, d};
   }

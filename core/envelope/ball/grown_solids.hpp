@@ -3,21 +3,22 @@
 // Solids grown by individual constants, on which the ball rolls (docs/envelope.md).
 
 #include <optional>
-#include <span>
 #include <vector>
 
 #include "core/envelope/solid_shape.hpp"
 
 namespace hariko {
 
-/// Growth constant: the largest mean, over a solid, of the distance to the solid `followed` in its place,
-/// taken with the kernel of width `sigma` (its standard deviation along each axis). The surface where the
-/// mean minus this constant is zero contains the solid. Independent of the solid's placement.
-double growth_constant(const SolidShape& solid, const SolidShape& followed, double sigma);
+/// Returns the solid with all faces moved inwards by its own roundness times 0.95 of the radius of an
+/// inscribed ball: a surface that follows it at a larger distance has rounder edges. Solids without edges,
+/// and those without a roundness of their own, are returned unchanged.
+Solid softened(const Solid& solid);
 
-/// Face constant: the least of these means over the centres of the solid's flat faces; growing by it puts the
-/// flattest face on the surface, and so all faces wider than the kernel. The growth constant where no face is
-/// flat.
+/// Face constant: the least mean, over the centres of the solid's flat faces, of the distance to the solid
+/// `followed` in its place, taken with the kernel of width `sigma` (its standard deviation along each axis).
+/// Growing by it puts the flattest face on the surface, and so all faces wider than the kernel. Where no face
+/// is flat: the growth constant, the largest mean over the solid; the surface where the mean minus that is
+/// zero contains the solid. Independent of the solid's placement.
 double face_constant(const SolidShape& solid, const SolidShape& followed, double sigma);
 
 struct GrownSolid {
@@ -26,14 +27,16 @@ struct GrownSolid {
 };
 
 /// Constant by which a solid grows; it does not depend on its place. `on_faces`: the face constant, except
-/// for solids so thin that the kernel would leave nothing of them.
+/// for solids so thin that the kernel would leave nothing of them; else the growth constant.
 double constant_of(const Solid& solid, double sigma, bool on_faces);
 
-/// Constants of a scene's solids, kept from call to call: while solids are only moved, none is made anew.
-class GrowthConstants {
+/// Grown solids of a scene, kept from call to call: a constant is found anew only where the solid itself
+/// changes, a shape also where its place does.
+class KnownSolids {
  public:
-  /// Constant of the solid with this number in the scene.
-  double of(std::size_t number, const Solid& solid, double sigma, bool on_faces);
+  /// Solid with this number in the scene, grown by its constant and `room`, relative to `origin`.
+  GrownSolid grown(std::size_t number, const Solid& solid, const Vector3& origin, double sigma, bool on_faces,
+                   double room);
 
  private:
   struct Known {
@@ -41,13 +44,11 @@ class GrowthConstants {
     double sigma = 0;
     bool on_faces = false;
     double constant = 0;
+    std::optional<GrownSolid> grown = {};  ///< with the place and relative to the origin below
+    Vector3 position = Vector3::Zero(), rotation = Vector3::Zero(), origin = Vector3::Zero();
   };
   std::vector<Known> known_;
 };
-
-/// Makes the grown solid relative to `origin`; a solid with a roundness of its own is replaced by its
-/// softened one.
-GrownSolid grown_solid(const Solid& solid, const Vector3& origin, double growth);
 
 struct NearestSolid {
   Index solid = no_index;
@@ -72,11 +73,16 @@ class GrownUnion {
     const double least = distance + balls_[i].radius;
     return least <= 0 || (point - balls_[i].centre).squaredNorm() >= least * least;
   }
-  /// Nearest solid of `among`, the first of equal ones.
-  NearestSolid nearest(const Vector3& point, std::span<const Index> among) const;
-  /// Bounding box of the grown solids' bounding balls.
+  /// Whether grown solid i is at least `distance` from a point, by distances that change by no more than the
+  /// way: then it is at least `distance` less the way from any other point, too.
+  bool is_beyond(Index i, const Vector3& point, double distance) const {
+    return is_farther(i, point, distance) ||
+           (solids_[i].shape.is_exact() && this->distance(i, point) >= distance);
+  }
+  /// Nearest solid, the first of equal ones.
+  NearestSolid nearest(const Vector3& point) const;
+  /// Bounding box of the grown solids.
   const Eigen::AlignedBox3d& box() const { return box_; }
-  std::span<const Index> all() const { return all_; }
 
  private:
   struct Ball {
@@ -85,7 +91,6 @@ class GrownUnion {
   };
   std::vector<GrownSolid> solids_;
   std::vector<Ball> balls_;  ///< bounding balls of the grown solids
-  std::vector<Index> all_;
   Eigen::AlignedBox3d box_;
 };
 

@@ -1,11 +1,5 @@
 #include "core/envelope/ball/hermite_patch.hpp"
 
-#include <Eigen/Geometry>
-#include <cmath>
-
-#include "core/base/assert.hpp"
-#include "core/envelope/gregory.hpp"
-
 namespace hariko {
 
 namespace {
@@ -109,27 +103,6 @@ Rails rails_across(const HermitePatch& p, const Direction& v, Order order) {
   return gregory::rails(p.e0, p.cross_e0, p.cross_e1, p.e1, v.quintic, v.quintic, order);
 }
 
-/// Calls each(patch, parameter, point) for every point of the grid on every patch.
-template <class Each>
-void for_grid(const std::vector<HermitePatch>& all, std::span<const Index> patches,
-              const GridPattern& pattern, Order order, const Each& each) {
-  HARIKO_ASSERT(pattern.domain == Domain::square, "patches round solids are squares");
-  const int n = pattern.density;
-  std::vector<Direction> at;
-  for (int i = 0; i <= n; ++i) at.emplace_back(grid_fraction(i, n));
-  std::vector<Rails> along(at.size());
-  for (const Index index : patches) {
-    const HermitePatch& patch = all[index];
-    const Corners corners = gregory::corners_of(patch);
-    for (std::size_t i = 0; i < at.size(); ++i) along[i] = rails_along(patch, at[i], order);
-    for (const Direction& v : at) {
-      const Rails across = rails_across(patch, v, order);
-      for (std::size_t i = 0; i < at.size(); ++i)
-        each(index, Vector2(at[i].t, v.t), point_at(patch, corners, across, along[i], at[i], v, order));
-    }
-  }
-}
-
 }  // namespace
 
 Vector3 value_at(const Quintic& curve, double t) {
@@ -168,33 +141,54 @@ PatchPoint evaluate(const HermitePatch& patch, const Vector2& parameter, Order o
                   rails_along(patch, u, order), u, v, order);
 }
 
+SideEvaluation side_evaluation(std::span<const double> fractions) {
+  struct Bases {
+    Direction start{0.0}, end{1.0};
+    std::vector<Direction> onwards, backwards;  ///< at the fractions from either end
+  } made;
+  for (const double t : fractions) {
+    made.onwards.emplace_back(t);
+    made.backwards.emplace_back(1.0 - t);
+  }
+  return [at = std::move(made)](const HermitePatch& p, std::span<PatchPoint> points) {
+    const std::size_t n = at.onwards.size();
+    HARIKO_ASSERT(points.size() >= 4 * n, "output array is too small");
+    constexpr Order order = Order::second;
+    const Corners corners = gregory::corners_of(p);
+    const Rails across_start = rails_across(p, at.start, order), across_end = rails_across(p, at.end, order);
+    const Rails along_start = rails_along(p, at.start, order), along_end = rails_along(p, at.end, order);
+    for (std::size_t i = 0; i < n; ++i) {
+      const Direction &on = at.onwards[i], &back = at.backwards[i];
+      points[i] = point_at(p, corners, across_start, rails_along(p, on, order), on, at.start, order);
+      points[n + i] = point_at(p, corners, rails_across(p, on, order), along_end, at.end, on, order);
+      points[2 * n + i] = point_at(p, corners, across_end, rails_along(p, back, order), back, at.end, order);
+      points[3 * n + i] =
+          point_at(p, corners, rails_across(p, back, order), along_start, at.start, back, order);
+    }
+  };
+}
+
 PatchPoint HermitePatchSet::evaluate(Index patch, const Vector2& parameter, Order order) const {
   return hariko::evaluate(patches_[patch], parameter, order);
 }
 
-void HermitePatchSet::evaluate_grid(std::span<const Index> patches, const GridPattern& pattern,
-                                    std::span<PatchPoint> points) const {
-  HARIKO_ASSERT(points.size() >= patches.size() * std::size_t(pattern.point_count()),
-                "output array is too small");
-  std::size_t at = 0;
-  for_grid(patches_, patches, pattern, Order::second,
-           [&](Index, const Vector2&, const PatchPoint& point) { points[at++] = point; });
-}
-
-void HermitePatchSet::evaluate_grid(std::span<const Index> patches, const GridPattern& pattern,
-                                    std::span<Vector3> positions, std::span<Vector3> normals) const {
-  std::size_t at = 0;
-  for_grid(patches_, patches, pattern, Order::first,
-           [&](Index patch, const Vector2& parameter, const PatchPoint& point) {
-             positions[at] = point.position;
-             normals[at++] = normal_at(patch, parameter, point);
-           });
-}
-
-CornerSecondOrder HermitePatchSet::second_order_at_corner(Index at, int corner) const {
-  return unit_normal(evaluate(at, corner_parameter(Domain::square, corner), Order::first)).isZero(0)
-             ? CornerSecondOrder::undefined
-             : CornerSecondOrder::direction_dependent;
+void HermitePatchSet::for_grid(std::span<const Index> patches, const GridPattern& pattern, Order order,
+                               const EachPoint& each) const {
+  HARIKO_ASSERT(pattern.domain == Domain::square, "patches round solids are squares");
+  const int n = pattern.density;
+  std::vector<Direction> at;
+  for (int i = 0; i <= n; ++i) at.emplace_back(grid_fraction(i, n));
+  std::vector<Rails> along(at.size());
+  for (const Index index : patches) {
+    const HermitePatch& patch = patches_[index];
+    const Corners corners = gregory::corners_of(patch);
+    for (std::size_t i = 0; i < at.size(); ++i) along[i] = rails_along(patch, at[i], order);
+    for (const Direction& v : at) {
+      const Rails across = rails_across(patch, v, order);
+      for (std::size_t i = 0; i < at.size(); ++i)
+        each(index, Vector2(at[i].t, v.t), point_at(patch, corners, across, along[i], at[i], v, order));
+    }
+  }
 }
 
 }  // namespace hariko

@@ -4,9 +4,11 @@
 // curvatures (docs/envelope.md).
 
 #include <array>
+#include <functional>
+#include <span>
 #include <vector>
 
-#include "core/surface/patch.hpp"
+#include "core/envelope/gregory.hpp"
 
 namespace hariko {
 
@@ -36,26 +38,26 @@ struct HermitePatch {
   static HermitePatch from_loop(const std::array<Quintic, 4>& sides, const std::array<Quintic, 4>& inwards);
 };
 
-class HermitePatchSet final : public PatchSet {
+class HermitePatchSet final : public gregory::GridPatchSet {
  public:
   explicit HermitePatchSet(std::vector<HermitePatch> patches) : patches_(std::move(patches)) {}
-  const HermitePatch& patch(Index i) const { return patches_[i]; }
 
-  Domain domain() const override { return Domain::square; }
   Index patch_count() const override { return Index(patches_.size()); }
   PatchPoint evaluate(Index patch, const Vector2& parameter, Order order) const override;
-  void evaluate_grid(std::span<const Index> patches, const GridPattern& pattern, std::span<Vector3> positions,
-                     std::span<Vector3> normals) const override;
-  void evaluate_grid(std::span<const Index> patches, const GridPattern& pattern,
-                     std::span<PatchPoint> points) const override;
-  /// Undefined: Gregory's twists depend on the direction at corners.
-  CornerSecondOrder second_order_at_corner(Index patch, int corner) const override;
 
  private:
+  void for_grid(std::span<const Index> patches, const GridPattern& pattern, Order order,
+                const EachPoint& each) const override;
   std::vector<HermitePatch> patches_;
 };
 
 /// Evaluates a patch that is not part of a set.
 PatchPoint evaluate(const HermitePatch& patch, const Vector2& parameter, Order order);
+
+/// Evaluation of a patch, with second derivatives, at the same fractions of all four sides: points[n * side +
+/// i] is the one at fraction i of n, as `evaluate` gives it, bit for bit.
+using SideEvaluation = std::function<void(const HermitePatch& patch, std::span<PatchPoint> points)>;
+/// Computes the basis functions at the fractions, once for many patches.
+SideEvaluation side_evaluation(std::span<const double> fractions);
 
 }  // namespace hariko

@@ -1,16 +1,14 @@
-#include "core/envelope/ball/pinches.hpp"
-
 #include <Eigen/LU>
-#include <algorithm>
-#include <cmath>
+
+#include "core/envelope/ball/spline_field.hpp"
+#include "core/geometry/mirror_plane.hpp"
 
 namespace hariko {
 
 namespace {
 
 // Lengths in sigma; the field's slope is dimensionless.
-constexpr double pinched_below = 0.1;     ///< saddles with smaller absolute values are lowered
-constexpr double lowered_to = -0.1;       ///< value of saddles that were lowered
+constexpr double pinched_below = 0.1;     ///< saddles with smaller absolute values are lowered to minus this
 constexpr double value_looked_at = 0.35;  ///< nodes with smaller values
 constexpr double slope_looked_at = 0.4;   ///< nodes with smaller slopes
 constexpr double no_slope = 1e-3;         ///< slope at which a saddle counts as found
@@ -74,19 +72,17 @@ std::size_t close_pinches(SplineField& field, double sigma, std::optional<Eigen:
     if (mirror) {
       double& beside = at[*mirror];
       if (beside < plane - saddles_apart * sigma) continue;  // the image of another one
-      if (beside < plane + saddles_apart * sigma) {
+      if (beside < plane + saddles_apart * sigma)
         beside = plane;
-      } else {
-        image = at;
-        (*image)[*mirror] = 2 * plane - beside;
-      }
+      else
+        image = MirrorPlane{int(*mirror), plane}.image(at);
     }
     // Saddles nearby may have lowered this one already.
     const double value = field.value(at);
-    if (value <= lowered_to * sigma) continue;
+    if (value <= -pinched_below * sigma) continue;
     // Values are means of coefficients: a trial shows how much one falls.
     field.lower(at, sigma, lowered_width * sigma);
-    const double by = (value - lowered_to * sigma) / (value - field.value(at)) * sigma;
+    const double by = (value + pinched_below * sigma) / (value - field.value(at)) * sigma;
     field.lower(at, by - sigma, lowered_width * sigma);
     if (image) field.lower(*image, by, lowered_width * sigma);
     ++count;

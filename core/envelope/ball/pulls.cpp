@@ -1,9 +1,5 @@
-#include "core/envelope/ball/pulls.hpp"
-
-#include <algorithm>
-#include <cmath>
-
 #include "core/base/solvers/dense_solver.hpp"
+#include "core/envelope/ball/ball_lattice.hpp"
 
 namespace hariko {
 
@@ -28,21 +24,23 @@ double share(double distance) {
 
 /// Shares of a pull at the nodes of a field's lattice.
 std::vector<double> shares_of(const SplineField& field, const PulledPlace& place, double reach) {
-  const std::array<int, 3>& size = field.size();
-  std::vector<double> out(std::size_t(size[0]) * std::size_t(size[1]) * std::size_t(size[2]), 0);
-  std::array<int, 3> first, last;
-  for (std::size_t a = 0; a < 3; ++a) {
-    const double middle = (place.at[Eigen::Index(a)] - field.corner()[Eigen::Index(a)]) / field.spacing();
-    first[a] = std::max(int(std::ceil(middle - reach / field.spacing())), 0);
-    last[a] = std::min(int(std::floor(middle + reach / field.spacing())), size[a] - 1);
-  }
-  for (int k = first[2]; k <= last[2]; ++k)
-    for (int j = first[1]; j <= last[1]; ++j)
-      for (int i = first[0]; i <= last[0]; ++i) {
-        const Vector3 node = field.corner() + field.spacing() * Vector3(i, j, k);
-        out[field.index(i, j, k)] = share((node - place.at).norm() / reach);
-      }
+  std::vector<double> out(node_count(field.size()), 0);
+  field.for_nodes_about(place.at, reach, [&](std::size_t node, const Vector3& p) {
+    out[node] = share((p - place.at).norm() / reach);
+  });
   return out;
+}
+
+/// Length by which a pull outwards moves the surface over a plane at the most, where the unpulled one lies
+/// behind the plane and the place is `beyond` it, or before it where that is negative.
+double pulled_over(double beyond, double way, double reach) {
+  // The unpulled value is the distance from the plane at least, and must be less than the change.
+  double low = std::max(0.0, beyond), high = std::max(low, bound_factor * way);
+  for (int round = 0; round < 30; ++round) {
+    const double middle = 0.5 * (low + high);
+    (middle <= pull_bound(way, reach, std::abs(middle - beyond)) ? low : high) = middle;
+  }
+  return high;
 }
 
 }  // namespace
@@ -62,14 +60,19 @@ double pull_bound(double way, double reach, double distance) {
   return bound_factor * std::abs(way) * share(distance / reach);
 }
 
-double pulled_over(double beyond, double way, double reach) {
-  // The unpulled value is the distance from the plane at least, and must be less than the change.
-  double low = std::max(0.0, beyond), high = std::max(low, bound_factor * way);
-  for (int round = 0; round < 30; ++round) {
-    const double middle = 0.5 * (low + high);
-    (middle <= pull_bound(way, reach, std::abs(middle - beyond)) ? low : high) = middle;
+Eigen::AlignedBox3d pulled_box(const GrownUnion& solids, std::span<const PulledPlace> pulls, double sigma) {
+  const Eigen::AlignedBox3d& own = solids.box();
+  Eigen::AlignedBox3d out = own;
+  for (const PulledPlace& pull : pulls) {
+    const double way = std::max(0.0, solids.nearest(pull.at).distance);
+    const double reach = pull_reach(pull.radius, way, sigma);
+    for (Eigen::Index a = 0; a < 3; ++a) {
+      const double low = own.min()[a], high = own.max()[a];
+      out.min()[a] = std::min(out.min()[a], low - pulled_over(low - pull.at[a], way, reach));
+      out.max()[a] = std::max(out.max()[a], high + pulled_over(pull.at[a] - high, way, reach));
+    }
   }
-  return high;
+  return out;
 }
 
 std::vector<double> pull_offsets(const SplineField& field, int passes, std::span<const PulledPlace> places,

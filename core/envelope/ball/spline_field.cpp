@@ -1,8 +1,5 @@
 #include "core/envelope/ball/spline_field.hpp"
 
-#include <algorithm>
-#include <cmath>
-
 #include "core/base/parallel.hpp"
 
 namespace hariko {
@@ -80,7 +77,7 @@ Sum SplineField::sum(const Vector3& point, std::array<double, 3>& share) const {
     share[a] = x - low[a];
   }
   const Weights y(share[1]), z(share[2]);
-  const double* first = weights_.data() + index(low[0] - 1, low[1] - 1, low[2] - 1);
+  const double* first = weights_.data() + node_index(size_, low[0] - 1, low[1] - 1, low[2] - 1);
   const auto line = std::size_t(size_[0]), plane = line * std::size_t(size_[1]);
   Sum out;
   for (int k = 0; k < 4; ++k, first += plane)
@@ -116,18 +113,10 @@ Matrix3 SplineField::hessian(const Vector3& point) const {
 }
 
 void SplineField::lower(const Vector3& at, double by, double radius) {
-  std::array<int, 3> first, last;
-  for (std::size_t a = 0; a < 3; ++a) {
-    const double middle = (at[Eigen::Index(a)] - corner_[Eigen::Index(a)]) / spacing_;
-    first[a] = std::max(int(std::ceil(middle - radius / spacing_)), 0);
-    last[a] = std::min(int(std::floor(middle + radius / spacing_)), size_[a] - 1);
-  }
-  for (int k = first[2]; k <= last[2]; ++k)
-    for (int j = first[1]; j <= last[1]; ++j)
-      for (int i = first[0]; i <= last[0]; ++i) {
-        const double square = (corner_ + spacing_ * Vector3(i, j, k) - at).squaredNorm() / (radius * radius);
-        if (square < 1) weights_[index(i, j, k)] -= by * (1 - square) * (1 - square) * (1 - square);
-      }
+  for_nodes_about(at, radius, [&](std::size_t node, const Vector3& p) {
+    const double square = (p - at).squaredNorm() / (radius * radius);
+    if (square < 1) weights_[node] -= by * (1 - square) * (1 - square) * (1 - square);
+  });
 }
 
 void smooth_lattice(const std::array<int, 3>& size, std::vector<double>& values) {
@@ -148,6 +137,17 @@ void smooth_lattice(const std::array<int, 3>& size, std::vector<double>& values)
       }
     });
   }
+}
+
+void even_lattice(const std::array<int, 3>& size, std::size_t axis, std::vector<double>& values) {
+  for (int k = 0; k < size[2]; ++k)
+    for (int j = 0; j < size[1]; ++j)
+      for (int i = 0; i < size[0]; ++i) {
+        std::array<int, 3> n{i, j, k};
+        n[axis] = size[axis] - 1 - n[axis];
+        double &a = values[node_index(size, i, j, k)], &b = values[node_index(size, n[0], n[1], n[2])];
+        a = b = std::max(a, b);
+      }
 }
 
 LevelCurvature level_curvature(const SplineField& field, const Vector3& point) {

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/envelope/network/split_face.hpp"
 #include "core/geometry/mirror_plane.hpp"
 
 namespace hariko {
@@ -18,42 +17,36 @@ constexpr double weight_low = 0.501, weight_high = 5;
 
 constexpr double waist = 0.5;  ///< length of tangents on inserted parts, relative to those of circular arcs
 
-/// One end of a primitive edge in the solid's unit frame.
-struct PrimitiveEnd {
-  Vector3 unit, n, t;
-  double cosine, alpha;
-};
+/// Ends of a curve, by which curves are sorted.
+std::pair<Index, Index> curve_ends(const NetworkCurve& curve) {
+  return {curve.low, curve.high};
+}
 
-/// Primitive edge: planar in the unit frame, with its natural weights (docs/envelope.md).
+/// Primitive edge in the solid's unit frame, where it is planar, with its natural weights (docs/envelope.md).
 struct PrimitiveEdge {
-  PrimitiveEnd a, b;
-  double natural[2], sag[2];
+  /// Per end: inner control point, length of the tangent, natural weight, depth of the other end's control
+  /// point below the tangent plane.
+  std::array<Vector3, 2> control;
+  std::array<double, 2> alpha, natural, sag;
 
   PrimitiveEdge(const Vector3& from, const Vector3& to, double roundness) {
     const Vector3 e = to - from;
     const double length = e.norm();
-    a = end(from, e, length, roundness);
-    b = end(to, e, length, roundness);
-    const Vector3 p1 = from + a.alpha * a.t, p2 = to - b.alpha * b.t;
-    natural[0] = std::max((1 + 2 * a.cosine) / 3, weight_low);
-    natural[1] = std::max((1 + 2 * b.cosine) / 3, weight_low);
-    sag[0] = -(p2 - from).dot(a.n);
-    sag[1] = -(p1 - to).dot(b.n);
+    const std::array<Vector3, 2> unit{from, to};
+    std::array<Vector3, 2> n;
+    for (std::size_t i = 0; i < 2; ++i) {
+      n[i] = unit[i].stableNormalized();
+      const Vector3 t = (e - e.dot(n[i]) * n[i]).stableNormalized();
+      const double cosine = t.dot(e) / length;
+      alpha[i] = roundness * length / (1 + 2 * std::max(cosine, least_cosine));
+      natural[i] = std::max((1 + 2 * cosine) / 3, weight_low);
+      control[i] = i == 0 ? Vector3(from + alpha[i] * t) : Vector3(to - alpha[i] * t);
+    }
+    for (std::size_t i = 0; i < 2; ++i) sag[i] = -(control[1 - i] - unit[i]).dot(n[i]);
   }
-  double natural_curvature(int e) const {
-    const double alpha = e == 0 ? a.alpha : b.alpha;
-    return 2.0 / 3 * natural[1 - e] / (natural[e] * natural[e]) * sag[e] / (alpha * alpha);
-  }
-
- private:
-  static PrimitiveEnd end(const Vector3& u, const Vector3& e, double length, double roundness) {
-    PrimitiveEnd out;
-    out.unit = u;
-    out.n = u.stableNormalized();
-    out.t = (e - e.dot(out.n) * out.n).stableNormalized();
-    out.cosine = out.t.dot(e) / length;
-    out.alpha = roundness * length / (1 + 2 * std::max(out.cosine, least_cosine));
-    return out;
+  bool is_straight() const { return std::min(sag[0], sag[1]) <= 1e-9; }
+  double natural_curvature(std::size_t i) const {
+    return 2.0 / 3 * natural[1 - i] / (natural[i] * natural[i]) * sag[i] / (alpha[i] * alpha[i]);
   }
 };
 
@@ -81,9 +74,7 @@ class NetworkBuilder {
         const Index a = face.loop[i], b = face.loop[(i + 1) % face.loop.size()];
         if (a < b) out_.curves.push_back({a, b, vertex(a).solid == vertex(b).solid, false, {}});
       }
-    std::sort(out_.curves.begin(), out_.curves.end(), [](const NetworkCurve& x, const NetworkCurve& y) {
-      return std::pair(x.low, x.high) < std::pair(y.low, y.high);
-    });
+    std::ranges::sort(out_.curves, {}, curve_ends);
   }
 
   void make_curves() {
@@ -94,7 +85,7 @@ class NetworkBuilder {
       const NetworkCurve& curve = out_.curves[k];
       if (!curve.primitive || vertex(curve.low).guarded || vertex(curve.high).guarded) continue;
       edges[k].emplace(vertex(curve.low).unit, vertex(curve.high).unit, solid(curve.low).roundness);
-      if (std::min(edges[k]->sag[0], edges[k]->sag[1]) <= 1e-9) continue;
+      if (edges[k]->is_straight()) continue;
       sum[curve.low] += edges[k]->natural_curvature(0);
       sum[curve.high] += edges[k]->natural_curvature(1);
       ++count[curve.low];
@@ -103,9 +94,8 @@ class NetworkBuilder {
     for (std::size_t k = 0; k < edges.size(); ++k) {
       NetworkCurve& curve = out_.curves[k];
       if (edges[k]) {
-        const double kappa[2] = {sum[curve.low] / std::max(1.0, count[curve.low]),
-                                 sum[curve.high] / std::max(1.0, count[curve.high])};
-        make_primitive(curve, *edges[k], kappa);
+        make_primitive(curve, *edges[k], sum[curve.low] / std::max(1.0, count[curve.low]),
+                       sum[curve.high] / std::max(1.0, count[curve.high]));
       } else {
         make_inserted(curve);
       }
@@ -118,20 +108,20 @@ class NetworkBuilder {
     }
   }
 
-  void make_primitive(NetworkCurve& curve, const PrimitiveEdge& edge, const double kappa[2]) {
+  /// `low`, `high`: common curvatures at the ends.
+  void make_primitive(NetworkCurve& curve, const PrimitiveEdge& edge, double low, double high) {
     double w1 = edge.natural[0], w2 = edge.natural[1];
-    if (std::min(edge.sag[0], edge.sag[1]) > 1e-9) {
-      const double k0 = 1.5 * kappa[0] * edge.a.alpha * edge.a.alpha / edge.sag[0];
-      const double k1 = 1.5 * kappa[1] * edge.b.alpha * edge.b.alpha / edge.sag[1];
+    if (!edge.is_straight()) {
+      const double k0 = 1.5 * low * edge.alpha[0] * edge.alpha[0] / edge.sag[0];
+      const double k1 = 1.5 * high * edge.alpha[1] * edge.alpha[1] / edge.sag[1];
       const double a = 1 / std::cbrt(k0 * k0 * k1), b = 1 / std::cbrt(k1 * k1 * k0);
       if (a > weight_low && a < weight_high && b > weight_low && b < weight_high)
         w1 = a, w2 = b, curve.matched = true;
     }
     const NetworkSolid& owner = solid(curve.low);
-    curve.ribbon.curve = {homogeneous(vertex(curve.low).position),
-                          homogeneous(owner.world(edge.a.unit + edge.a.alpha * edge.a.t), w1),
-                          homogeneous(owner.world(edge.b.unit - edge.b.alpha * edge.b.t), w2),
-                          homogeneous(vertex(curve.high).position)};
+    curve.ribbon.curve = {
+        homogeneous(vertex(curve.low).position), homogeneous(owner.world(edge.control[0]), w1),
+        homogeneous(owner.world(edge.control[1]), w2), homogeneous(vertex(curve.high).position)};
   }
 
   void make_inserted(NetworkCurve& curve) {
@@ -177,11 +167,8 @@ class NetworkBuilder {
 
 Index CurveNetwork::find(Index a, Index b) const {
   const std::pair<Index, Index> key = std::minmax(a, b);
-  const auto found = std::lower_bound(
-      curves.begin(), curves.end(), key,
-      [](const NetworkCurve& c, const std::pair<Index, Index>& k) { return std::pair(c.low, c.high) < k; });
-  if (found == curves.end() || found->low != key.first || found->high != key.second) return no_index;
-  return Index(found - curves.begin());
+  const auto found = std::ranges::lower_bound(curves, key, {}, curve_ends);
+  return found != curves.end() && curve_ends(*found) == key ? Index(found - curves.begin()) : no_index;
 }
 
 RibbonCurve CurveNetwork::ribbon(Index a, Index b) const {

@@ -3,10 +3,9 @@
 // CurveNetwork: rational cubic curves over a cage, the division of faces that are not quads, and the patches
 // between the curves (docs/envelope.md).
 
-#include <optional>
-
 #include "core/envelope/network/envelope_patch.hpp"
 #include "core/envelope/network/hull_cage.hpp"
+#include "core/surface/surface.hpp"
 
 namespace hariko {
 
@@ -23,6 +22,15 @@ struct FaceSplit {
   Vector3 centre = Vector3::Zero(), normal = Vector3::UnitZ();
   std::vector<RibbonCurve> spokes;  ///< from the midpoint of side k to the centre
 };
+
+/// Makes the star of a face (Ogasawara and Kobori, section 4). `loop`: the sides, each with the face to its
+/// left. `solid`: the solid whose primitive part the face is, or null.
+FaceSplit split_face(std::span<const RibbonCurve> loop, const NetworkSolid* solid);
+
+/// Loops of the quads, one per side: from its start to its midpoint, to the centre, to the midpoint of the
+/// previous side, and back.
+std::vector<std::array<RibbonCurve, 4>> split_loops(std::span<const RibbonCurve> loop,
+                                                    const FaceSplit& split);
 
 /// Curves and patches over a cage.
 struct CurveNetwork {

@@ -1,10 +1,6 @@
 #include "core/envelope/network/envelope_patch.hpp"
 
 #include <Eigen/Geometry>
-#include <cmath>
-
-#include "core/base/assert.hpp"
-#include "core/envelope/gregory.hpp"
 
 namespace hariko {
 
@@ -25,13 +21,6 @@ struct Direction {
 using Rails = gregory::Rails<Homogeneous>;
 using Corners = gregory::Corners<Homogeneous>;
 
-gregory::Jet<Homogeneous> homogeneous_jet(const Corners& m, const Rails& across, const Rails& along,
-                                          const Direction& u, const Direction& v, Order order) {
-  gregory::Jet<Homogeneous> out = gregory::coons(m, across, along, u.hermite, v.hermite, order);
-  gregory::subtract_twists(m, u.t, u.hermite, v.t, v.hermite, order, out);
-  return out;
-}
-
 /// Cartesian point of a homogeneous one. `scale`: derivative of the patch's parameters by those of the part.
 PatchPoint cartesian_point(const gregory::Jet<Homogeneous>& h, double scale, Order order) {
   PatchPoint out;
@@ -48,6 +37,41 @@ PatchPoint cartesian_point(const gregory::Jet<Homogeneous>& h, double scale, Ord
       w;
   return out;
 }
+
+/// Patch of a part, with terms shared by its points.
+struct PartFrame {
+  const EnvelopePart& part;
+  const EnvelopePatch& patch;
+  Corners corners = gregory::corners_of(patch);
+
+  Direction along_u(double s) const { return Direction(part.u0 + part.size * s); }
+  Direction along_v(double t) const { return Direction(part.v0 + part.size * t); }
+  Rails across_u(const Direction& v) const {
+    return gregory::rails(patch.e0, patch.cross_e0, patch.cross_e1, patch.e1, v.cubic, v.sextic,
+                          Order::second);
+  }
+  Rails across_v(const Direction& u) const {
+    return gregory::rails(patch.c0, patch.cross_c0, patch.cross_c1, patch.c1, u.cubic, u.sextic,
+                          Order::second);
+  }
+  /// Point at (s, t) of the part.
+  PatchPoint point(double s, const Direction& u, const Rails& along, double t, const Direction& v,
+                   const Rails& across, Order order) const {
+    gregory::Jet<Homogeneous> jet = gregory::coons(corners, across, along, u.hermite, v.hermite, order);
+    gregory::subtract_twists(corners, u.t, u.hermite, v.t, v.hermite, order, jet);
+    PatchPoint out = cartesian_point(jet, part.size, order);
+    // On outer sides from the curve alone, so that both patches give the same bits.
+    const auto set = [&](std::size_t side, double x) {
+      if (!part.sides[side]) return false;
+      const Homogeneous at = gregory::sum(gregory::bernstein_values<4>(x, 1 - x), *part.sides[side]);
+      out.position = cartesian(at);
+      return true;
+    };
+    const bool found = (t == 0 && set(0, s)) || (s == 1 && set(1, t)) || (t == 1 && set(2, 1 - s));
+    if (!found && s == 0) set(3, 1 - t);
+    return out;
+  }
+};
 
 /// Preferred derivative across the middle of a side, from the chord between the midpoints of two opposite
 /// sides.
@@ -85,112 +109,49 @@ EnvelopePatch EnvelopePatch::from_loop(const std::array<RibbonCurve, 4>& loop) {
   return out;
 }
 
-/// Patch of a part, with terms shared by its points.
-struct EnvelopePatchSet::Frame {
-  const Part& part;
-  const EnvelopePatch& patch;
-  Corners corners;
-
-  Rails across_u(const Direction& v) const {
-    return gregory::rails(patch.e0, patch.cross_e0, patch.cross_e1, patch.e1, v.cubic, v.sextic,
-                          Order::second);
-  }
-  Rails across_v(const Direction& u) const {
-    return gregory::rails(patch.c0, patch.cross_c0, patch.cross_c1, patch.c1, u.cubic, u.sextic,
-                          Order::second);
-  }
-  /// Sets points of outer sides from the curve alone, so that both patches give the same bits.
-  void set_side_position(double s, double t, PatchPoint& point) const {
-    const auto set = [&](std::size_t side, double x) {
-      if (!part.sides[side].outer) return false;
-      const Homogeneous at = gregory::sum(gregory::bernstein_values<4>(x, 1 - x), part.sides[side].curve);
-      point.position = cartesian(at);
-      return true;
-    };
-    if (t == 0 && set(0, s)) return;
-    if (s == 1 && set(1, t)) return;
-    if (t == 1 && set(2, 1 - s)) return;
-    if (s == 0) set(3, 1 - t);
-  }
-};
-
-EnvelopePatchSet::EnvelopePatchSet(std::vector<EnvelopePatch> patches, std::vector<Part> parts)
+EnvelopePatchSet::EnvelopePatchSet(std::vector<EnvelopePatch> patches, std::vector<EnvelopePart> parts)
     : patches_(std::move(patches)), parts_(std::move(parts)) {
-  for (const Part& part : parts_)
-    HARIKO_ASSERT(part.part.patch < patches_.size(), "a part of a patch that does not exist");
+  for (const EnvelopePart& part : parts_)
+    HARIKO_ASSERT(part.patch < patches_.size(), "a part of a patch that does not exist");
 }
 
 PatchPoint EnvelopePatchSet::evaluate(Index at, const Vector2& parameter, Order order) const {
-  const Part& part = parts_[at];
-  const EnvelopePatch& patch = patches_[part.part.patch];
-  const Frame frame{part, patch, gregory::corners_of(patch)};
-  const Direction u(part.part.u0 + part.part.size * parameter.x()),
-      v(part.part.v0 + part.part.size * parameter.y());
-  PatchPoint out =
-      cartesian_point(homogeneous_jet(frame.corners, frame.across_u(v), frame.across_v(u), u, v, order),
-                      part.part.size, order);
-  frame.set_side_position(parameter.x(), parameter.y(), out);
-  return out;
+  const PartFrame frame{parts_[at], patches_[parts_[at].patch]};
+  const Direction u = frame.along_u(parameter.x()), v = frame.along_v(parameter.y());
+  return frame.point(parameter.x(), u, frame.across_v(u), parameter.y(), v, frame.across_u(v), order);
 }
 
-/// Calls each(patch, parameter, point) for every point of the grid on every patch.
-template <class Each>
 void EnvelopePatchSet::for_grid(std::span<const Index> patches, const GridPattern& pattern, Order order,
-                                const Each& each) const {
+                                const EachPoint& each) const {
   HARIKO_ASSERT(pattern.domain == Domain::square, "patches of envelopes are squares");
   const int n = pattern.density;
   for (const Index index : patches) {
-    const Part& part = parts_[index];
-    const EnvelopePatch& patch = patches_[part.part.patch];
-    const Frame frame{part, patch, gregory::corners_of(patch)};
+    const PartFrame frame{parts_[index], patches_[parts_[index].patch]};
     std::vector<Direction> us;
     std::vector<Rails> along;
     for (int i = 0; i <= n; ++i) {
-      us.emplace_back(part.part.u0 + part.part.size * grid_fraction(i, n));
+      us.push_back(frame.along_u(grid_fraction(i, n)));
       along.push_back(frame.across_v(us.back()));
     }
     for (int j = 0; j <= n; ++j) {
       const double t = grid_fraction(j, n);
-      const Direction v(part.part.v0 + part.part.size * t);
+      const Direction v = frame.along_v(t);
       const Rails across = frame.across_u(v);
       for (int i = 0; i <= n; ++i) {
         const auto k = std::size_t(i);
         const double s = grid_fraction(i, n);
-        PatchPoint point = cartesian_point(homogeneous_jet(frame.corners, across, along[k], us[k], v, order),
-                                           part.part.size, order);
-        frame.set_side_position(s, t, point);
-        each(index, Vector2(s, t), point);
+        each(index, Vector2(s, t), frame.point(s, us[k], along[k], t, v, across, order));
       }
     }
   }
 }
 
-void EnvelopePatchSet::evaluate_grid(std::span<const Index> patches, const GridPattern& pattern,
-                                     std::span<PatchPoint> points) const {
-  HARIKO_ASSERT(points.size() >= patches.size() * std::size_t(pattern.point_count()),
-                "output array is too small");
-  std::size_t at = 0;
-  for_grid(patches, pattern, Order::second,
-           [&](Index, const Vector2&, const PatchPoint& point) { points[at++] = point; });
-}
-
-void EnvelopePatchSet::evaluate_grid(std::span<const Index> patches, const GridPattern& pattern,
-                                     std::span<Vector3> positions, std::span<Vector3> normals) const {
-  std::size_t at = 0;
-  for_grid(patches, pattern, Order::first,
-           [&](Index patch, const Vector2& parameter, const PatchPoint& point) {
-             positions[at] = point.position;
-             normals[at++] = normal_at(patch, parameter, point);
-           });
-}
-
 CornerSecondOrder EnvelopePatchSet::second_order_at_corner(Index at, int corner) const {
-  const EnvelopePart& part = parts_[at].part;
+  const EnvelopePart& part = parts_[at];
   const Vector2 local = corner_parameter(Domain::square, corner);
   const double u = part.u0 + part.size * local.x(), v = part.v0 + part.size * local.y();
   if ((u != 0 && u != 1) || (v != 0 && v != 1)) return CornerSecondOrder::exact;
-  return unit_normal(evaluate(at, local, Order::first)).isZero(0) ? CornerSecondOrder::undefined
-                                                                  : CornerSecondOrder::direction_dependent;
+  return GridPatchSet::second_order_at_corner(at, corner);
 }
 
 }  // namespace hariko

@@ -3,12 +3,10 @@
 // EnvelopePatchSet: rational Gregory-Coons patches with derivative fields across their four sides
 // (docs/envelope.md).
 
-#include <array>
-#include <memory>
-#include <vector>
+#include <optional>
 
+#include "core/envelope/gregory.hpp"
 #include "core/envelope/network/rational_curve.hpp"
-#include "core/surface/surface.hpp"
 
 namespace hariko {
 
@@ -27,43 +25,26 @@ struct EnvelopePatch {
 struct EnvelopePart {
   Index patch = 0;
   double u0 = 0, v0 = 0, size = 1;
+  /// Curves of its sides, bit-identical to the neighbours' reversed ones; nothing where a side lies inside
+  /// the patch.
+  std::array<std::optional<HomogeneousCubic>, 4> sides = {};
 };
 
 /// Parts of envelope patches on the unit square.
-class EnvelopePatchSet final : public PatchSet {
+class EnvelopePatchSet final : public gregory::GridPatchSet {
  public:
-  /// Side of a part: its curve, bit-identical to the neighbour's reversed one; unused where the side lies
-  /// inside a patch (`outer` false).
-  struct Side {
-    HomogeneousCubic curve;
-    bool outer = false;
-  };
-  struct Part {
-    EnvelopePart part;
-    std::array<Side, 4> sides;
-  };
-  EnvelopePatchSet(std::vector<EnvelopePatch> patches, std::vector<Part> parts);
+  EnvelopePatchSet(std::vector<EnvelopePatch> patches, std::vector<EnvelopePart> parts);
 
-  const std::vector<EnvelopePatch>& whole_patches() const { return patches_; }
-  const EnvelopePart& part(Index patch) const { return parts_[patch].part; }
-
-  Domain domain() const override { return Domain::square; }
   Index patch_count() const override { return Index(parts_.size()); }
   PatchPoint evaluate(Index patch, const Vector2& parameter, Order order) const override;
-  void evaluate_grid(std::span<const Index> patches, const GridPattern& pattern, std::span<Vector3> positions,
-                     std::span<Vector3> normals) const override;
-  void evaluate_grid(std::span<const Index> patches, const GridPattern& pattern,
-                     std::span<PatchPoint> points) const override;
-  /// Undefined: Gregory's twists depend on the direction at the corners of whole patches.
+  /// Exact at corners of parts inside whole patches.
   CornerSecondOrder second_order_at_corner(Index patch, int corner) const override;
 
  private:
-  struct Frame;
-  template <class Each>
   void for_grid(std::span<const Index> patches, const GridPattern& pattern, Order order,
-                const Each& each) const;
+                const EachPoint& each) const override;
   std::vector<EnvelopePatch> patches_;
-  std::vector<Part> parts_;
+  std::vector<EnvelopePart> parts_;
 };
 
 }  // namespace hariko

@@ -8,10 +8,11 @@
 #include <set>
 #include <tuple>
 
+#include "core/base/index_list.hpp"
 #include "core/base/solvers/small_solver.hpp"
-#include "core/geometry/angles.hpp"
 #include "core/geometry/polygon.hpp"
 #include "core/geometry/tolerant_hull.hpp"
+#include "core/geometry/triangle.hpp"
 
 namespace hariko {
 
@@ -37,8 +38,7 @@ struct Candidate {
 /// every face; leaves it where that is impossible.
 void guard_frame(CageVertex& vertex, const std::vector<std::pair<Vector3, double>>& faces) {
   const auto fits = [&](const Vector3& n) {
-    return std::all_of(faces.begin(), faces.end(),
-                       [&](const auto& face) { return face.first.dot(n) >= face.second; });
+    return std::ranges::all_of(faces, [&](const auto& face) { return face.first.dot(n) >= face.second; });
   };
   if (fits(vertex.normal)) return;
   Vector3 mean = Vector3::Zero();
@@ -56,6 +56,13 @@ void guard_frame(CageVertex& vertex, const std::vector<std::pair<Vector3, double
   if (!(n.dot(vertex.radial) > 0.1)) return;
   vertex.normal = n;
   vertex.guarded = true;
+}
+
+/// Solid of all corners of a loop; no_index where they belong to several.
+Index common_solid(const std::vector<CageVertex>& vertices, const std::vector<Index>& loop) {
+  const Index solid = vertices[loop[0]].solid;
+  const bool same = std::ranges::all_of(loop, [&](Index v) { return vertices[v].solid == solid; });
+  return same ? solid : no_index;
 }
 
 class HullCageBuilder {
@@ -87,11 +94,8 @@ class HullCageBuilder {
         all_.push_back({solid.world(solid.unit_vertices[v]), s, v});
     }
     // Among duplicates the one of the lowest solid stays: compares within cells of a sorted axis.
-    std::vector<Index> order(all_.size());
-    for (Index i = 0; i < order.size(); ++i) order[i] = i;
-    std::sort(order.begin(), order.end(), [&](Index a, Index b) {
-      return std::pair(all_[a].position.x(), a) < std::pair(all_[b].position.x(), b);
-    });
+    const std::vector<Index> order = stable_order(
+        all_.size(), [&](Index a, Index b) { return all_[a].position.x() < all_[b].position.x(); });
     std::vector<char> gone(all_.size(), 0);
     for (std::size_t i = 0; i < order.size(); ++i)
       for (std::size_t j = i + 1; j < order.size(); ++j) {
@@ -124,17 +128,15 @@ class HullCageBuilder {
   std::vector<Index> thinned() {
     Vector3 mean = Vector3::Zero();
     for (const Candidate& c : all_) mean += c.position / double(all_.size());
-    std::vector<Index> order(all_.size());
-    for (Index i = 0; i < order.size(); ++i) order[i] = i;
     // Distances that differ by rounding count as equal, and the order is then that of the indices, so that a
     // symmetric scene does not depend on the last bit.
     const auto distance = [&](Index i) {
       return std::round((all_[i].position - mean).norm() / (1e-9 * size_));
     };
-    std::stable_sort(order.begin(), order.end(), [&](Index a, Index b) { return distance(a) > distance(b); });
     const double apart = std::min(thinning * size_, thinning_of_width * width(mean));
     std::vector<Index> kept;
-    for (const Index i : order)
+    for (const Index i :
+         stable_order(all_.size(), [&](Index a, Index b) { return distance(a) > distance(b); }))
       if (std::ranges::all_of(kept,
                               [&](Index k) { return (all_[k].position - all_[i].position).norm() > apart; }))
         kept.push_back(i);
@@ -169,18 +171,16 @@ class HullCageBuilder {
     return !cage_.faces.empty();
   }
 
+  const Vector3& position(Index v) const { return cage_.vertices[v].position; }
   Vector3 normal_of(const std::vector<Index>& loop) const {
-    return newell_normal(loop.size(), [&](std::size_t i) { return cage_.vertices[loop[i]].position; })
-        .stableNormalized();
+    return newell_normal(loop.size(), [&](std::size_t i) { return position(loop[i]); }).stableNormalized();
   }
 
   void set_frames() {
     std::vector<std::vector<std::pair<Vector3, double>>> faces(cage_.vertices.size());
     for (const CageFace& face : cage_.faces) {
       const Vector3 m = normal_of(face.loop);
-      const Index owner = cage_.vertices[face.loop[0]].solid;
-      const bool own = std::all_of(face.loop.begin(), face.loop.end(),
-                                   [&](Index v) { return cage_.vertices[v].solid == owner; });
+      const bool own = common_solid(cage_.vertices, face.loop) != no_index;
       for (const Index v : face.loop) faces[v].emplace_back(m, own ? 0.02 : 0.2);
     }
     for (std::size_t v = 0; v < faces.size(); ++v) guard_frame(cage_.vertices[v], faces[v]);
@@ -207,9 +207,7 @@ class HullCageBuilder {
     };
     append(cage_.faces[f].loop, b);  // b ... before a
     append(cage_.faces[g].loop, a);  // a ... before b
-    std::vector<Index> sorted = out;
-    std::sort(sorted.begin(), sorted.end());
-    if (std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end()) return {};
+    if (std::set<Index>(out.begin(), out.end()).size() < out.size()) return {};
     return out;
   }
 
@@ -220,8 +218,8 @@ class HullCageBuilder {
     double least = 1;
     for (std::size_t i = 0; i < loop.size(); ++i) {
       const CageVertex& v = cage_.vertices[loop[i]];
-      const Vector3 next = cage_.vertices[loop[(i + 1) % loop.size()]].position - v.position;
-      const Vector3 before = cage_.vertices[loop[(i + loop.size() - 1) % loop.size()]].position - v.position;
+      const Vector3 next = position(loop[(i + 1) % loop.size()]) - v.position;
+      const Vector3 before = position(loop[(i + loop.size() - 1) % loop.size()]) - v.position;
       least = std::min(least, next.stableNormalized().cross(before.stableNormalized()).dot(n));
       least = std::min(least, v.tangent(next).cross(v.tangent(before)).dot(v.normal));
       least = std::min(least, n.dot(v.normal));
@@ -265,41 +263,33 @@ class HullCageBuilder {
     }
   }
 
-  /// Thinness of a triangle, 2 area / longest^2, and the square of the longest side.
-  std::pair<double, double> thinness(const std::vector<Index>& t) const {
-    double longest = 0;
-    for (std::size_t i = 0; i < 3; ++i)
-      longest = std::max(
-          longest, (cage_.vertices[t[i]].position - cage_.vertices[t[(i + 1) % 3]].position).squaredNorm());
-    const Vector3& a = cage_.vertices[t[0]].position;
-    const double area2 = (cage_.vertices[t[1]].position - a).cross(cage_.vertices[t[2]].position - a).norm();
-    return {area2 / longest, longest};
+  /// Square of the length of side i of a triangle.
+  double square_side(const std::vector<Index>& t, std::size_t i) const {
+    return (position(t[i]) - position(t[(i + 1) % 3])).squaredNorm();
+  }
+  /// Thinness of a triangle, 2 area / longest^2.
+  double thinness(const std::vector<Index>& t) const {
+    const double longest = std::max({square_side(t, 0), square_side(t, 1), square_side(t, 2)});
+    return area_vector(position(t[0]), position(t[1]), position(t[2])).norm() / longest;
   }
 
-  bool can_merge(Index a, Index b) const {
-    const auto f = at_.find({a, b}), g = at_.find({b, a});
-    return f != at_.end() && g != at_.end() && valence_[a] >= 4 && valence_[b] >= 4 &&
-           cage_.faces[f->second].loop.size() == 3 && cage_.faces[g->second].loop.size() == 3;
-  }
   void merge_triangles(Index a, Index b) {
-    if (!can_merge(a, b)) return;
-    const Index f = at_.at({a, b}), g = at_.at({b, a});
+    const auto at_f = at_.find({a, b}), at_g = at_.find({b, a});
+    if (at_f == at_.end() || at_g == at_.end() || valence_[a] < 4 || valence_[b] < 4) return;
+    const Index f = at_f->second, g = at_g->second;
+    if (cage_.faces[f].loop.size() != 3 || cage_.faces[g].loop.size() != 3) return;
     if (std::vector<Index> loop = merged(f, g, a, b); !loop.empty()) replace(f, g, a, b, std::move(loop));
   }
 
   void merge_pairs() {
-    struct Pair {
-      double score;
-      Index a, b;
-    };
-    std::vector<Pair> pairs;
+    std::vector<std::tuple<double, Index, Index>> pairs;  // the best score first
     for (const auto& [edge, f] : at_) {
       const auto [a, b] = edge;
       if (a > b) continue;
       const Index g = at_.at({b, a});
       const auto &lf = cage_.faces[f].loop, &lg = cage_.faces[g].loop;
       if (lf.size() != 3 || lg.size() != 3) continue;
-      const bool thin = thinness(lf).first < 0.25 || thinness(lg).first < 0.25;
+      const bool thin = thinness(lf) < 0.25 || thinness(lg) < 0.25;
       const double angle = dihedral(f, g);
       if (!(angle < (thin ? thin_merge_angle : merge_angle))) continue;
       const std::vector<Index> loop = merged(f, g, a, b);
@@ -308,14 +298,12 @@ class HullCageBuilder {
       if (!(q >= 0.15)) continue;
       double perimeter = 0;
       for (std::size_t i = 0; i < 4; ++i)
-        perimeter += (cage_.vertices[loop[i]].position - cage_.vertices[loop[(i + 1) % 4]].position).norm();
-      const double diagonal = (cage_.vertices[a].position - cage_.vertices[b].position).norm();
-      pairs.push_back({std::round((q * (1 - angle / 90) + diagonal / perimeter) * 1e9) / 1e9, a, b});
+        perimeter += (position(loop[i]) - position(loop[(i + 1) % 4])).norm();
+      const double diagonal = (position(a) - position(b)).norm();
+      pairs.emplace_back(-std::round((q * (1 - angle / 90) + diagonal / perimeter) * 1e9) / 1e9, a, b);
     }
-    std::stable_sort(pairs.begin(), pairs.end(), [](const Pair& x, const Pair& y) {
-      return std::tuple(-x.score, x.a, x.b) < std::tuple(-y.score, y.a, y.b);
-    });
-    for (const Pair& pair : pairs) merge_triangles(pair.a, pair.b);
+    std::ranges::sort(pairs);
+    for (const auto& [score, a, b] : pairs) merge_triangles(a, b);
     std::erase_if(cage_.faces, [](const CageFace& face) { return face.loop.empty(); });
   }
 
@@ -326,20 +314,15 @@ class HullCageBuilder {
     Index drop = no_index;
     for (const CageFace& face : cage_.faces) {
       if (face.loop.size() != 3) continue;
-      const double thin = thinness(face.loop).first;
+      const double thin = thinness(face.loop);
       if (!(thin < thinnest)) continue;
       std::size_t longest = 0;
-      double most = -1;
-      for (std::size_t i = 0; i < 3; ++i) {
-        const double length =
-            (cage_.vertices[face.loop[i]].position - cage_.vertices[face.loop[(i + 1) % 3]].position)
-                .squaredNorm();
-        if (length > most) most = length, longest = i;
-      }
-      const Vector3& a = cage_.vertices[face.loop[longest]].position;
-      const Vector3 side = cage_.vertices[face.loop[(longest + 1) % 3]].position - a;
+      for (const std::size_t i : {1U, 2U})
+        if (square_side(face.loop, i) > square_side(face.loop, longest)) longest = i;
+      const Vector3& a = position(face.loop[longest]);
+      const Vector3 side = position(face.loop[(longest + 1) % 3]) - a;
       const Index tip = face.loop[(longest + 2) % 3];
-      const double foot = (cage_.vertices[tip].position - a).dot(side) / side.squaredNorm();
+      const double foot = (position(tip) - a).dot(side) / side.squaredNorm();
       if (foot < 0.08 || foot > 0.92) continue;
       thinnest = thin;
       drop = kept[tip];
@@ -361,10 +344,7 @@ class HullCageBuilder {
       }
     for (CageFace& face : cage_.faces) {
       for (Index& v : face.loop) v = number[v];
-      const Index owner = out.vertices[face.loop[0]].solid;
-      if (std::all_of(face.loop.begin(), face.loop.end(),
-                      [&](Index v) { return out.vertices[v].solid == owner; }))
-        face.solid = owner;
+      face.solid = common_solid(out.vertices, face.loop);
       out.faces.push_back(std::move(face));
     }
     return out;

@@ -1,34 +1,23 @@
-#include "core/envelope/network/network_solid.hpp"
-
-#include <Eigen/Geometry>
 #include <cmath>
-#include <numbers>
 
 #include "core/base/solvers/small_solver.hpp"
+#include "core/envelope/network/hull_cage.hpp"
 #include "core/geometry/tolerant_hull.hpp"
 
 namespace hariko {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
-constexpr int ring_sides = 8;  ///< corners of the rings of round solids
+constexpr std::uint32_t ring_sides = 8;  ///< corners of the rings of round solids
 constexpr double solid_hull_tolerance = 1e-9;
-
-void add_ring(std::vector<Vector3>& out, int count, double radius, double z, double phase) {
-  for (int k = 0; k < count; ++k) {
-    const double a = 2 * pi * (k + phase) / count;
-    out.emplace_back(radius * std::cos(a), radius * std::sin(a), z);
-  }
-}
 
 /// Cuboctahedron of radius 1 with a hexagon at its equator.
 std::vector<Vector3> ball_vertices(bool mirrored) {
   std::vector<Vector3> out;
   const double z = std::sqrt(2.0 / 3), r = 1 / std::sqrt(3.0), up = mirrored ? -1 : 1;
-  add_ring(out, 6, 1, 0, 0);
-  add_ring(out, 3, r, up * z, 0.25);
-  add_ring(out, 3, r, -up * z, 0.75);
+  add_polygon(out, 6, 1, 0);
+  add_polygon(out, 3, r, up * z, 0.25);
+  add_polygon(out, 3, r, -up * z, 0.75);
   return out;
 }
 
@@ -85,24 +74,24 @@ void set_shape(NetworkSolid& solid, const Solid& s, const Matrix3& rotation, dou
       break;
     case SolidKind::cylinder:
     case SolidKind::prism: {
-      const int n = s.kind == SolidKind::cylinder ? ring_sides : int(s.sides);
+      const std::uint32_t n = s.kind == SolidKind::cylinder ? ring_sides : s.sides;
       q.z() = s.height / 2;
-      add_ring(u, n, 1, -1, 0);
-      add_ring(u, n, 1, 1, 0);
+      add_polygon(u, n, 1, -1);
+      add_polygon(u, n, 1, 1);
       break;
     }
     case SolidKind::cone:
     case SolidKind::pyramid: {
       const bool cone = s.kind == SolidKind::cone;
       q.z() = s.height / 2;
-      add_ring(u, cone ? ring_sides : int(s.sides), 1, -0.5, cone ? 0.5 : 0);
+      add_polygon(u, cone ? ring_sides : s.sides, 1, -0.5, cone ? 0.5 : 0);
       u.emplace_back(0, 0, 1.5);
       break;
     }
     case SolidKind::torus: {
       const double h = std::sqrt(0.5) * s.tube / s.radius;
-      add_ring(u, ring_sides, 1 + h, -h, 0);
-      add_ring(u, ring_sides, 1 + h, h, 0);
+      add_polygon(u, ring_sides, 1 + h, -h);
+      add_polygon(u, ring_sides, 1 + h, h);
       break;
     }
     case SolidKind::polyhedron:

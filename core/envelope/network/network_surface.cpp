@@ -1,34 +1,25 @@
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <map>
 
-#include "core/base/assert.hpp"
-#include "core/base/ids.hpp"
+#include "core/envelope/closed_surface.hpp"
 #include "core/envelope/network/curve_network.hpp"
-#include "core/envelope/network/split_face.hpp"
 
 namespace hariko {
 
 namespace {
 
-/// Part of a patch with its corner nodes, and its sides with their curves where these lie on boundaries of
-/// patches.
 struct Piece {
-  EnvelopePatchSet::Part part;
-  std::array<Index, 4> nodes;
-  Provenance provenance;
-  std::array<Element, 4> sources;
+  EnvelopePart part;
+  ClosedPatch place;
 };
 
 class SurfaceAssembler {
  public:
   SurfaceAssembler(const CurveNetwork& network, const Vector3& origin) : network_(network), origin_(origin) {
-    split_ = std::any_of(network.splits.begin(), network.splits.end(),
-                         [](const auto& split) { return split.has_value(); });
+    split_ = std::ranges::any_of(network.splits, [](const auto& split) { return split.has_value(); });
     middles_ = Index(network.cage.vertices.size());
     centres_ = middles_ + Index(split_ ? network.curves.size() : 0);
-    node_count_ = centres_ + Index(split_ ? network.cage.faces.size() : 0);
-    normals_.assign(node_count_, Vector3::Zero());
+    normals_.assign(centres_ + (split_ ? network.cage.faces.size() : 0), Vector3::Zero());
   }
 
   Surface assemble() {
@@ -69,11 +60,11 @@ class SurfaceAssembler {
 
   void add_whole(Index patch) {
     const Index face = network_.patch_places[patch].face;
-    Piece piece{{{patch, 0, 0, 1}, {}}, {}, {element_of(FaceId{face}), 0}, {}};
+    Piece piece{{patch}, {{}, {element_of(FaceId{face}), 0}, {}}};
     for (std::size_t k = 0; k < 4; ++k) {
-      piece.nodes[k] = corner(face, k);
-      piece.part.sides[k] = {side(face, k).curve, true};
-      piece.sources[k] = source(face, k);
+      piece.place.nodes[k] = corner(face, k);
+      piece.part.sides[k] = side(face, k).curve;
+      piece.place.sources[k] = source(face, k);
     }
     pieces_.push_back(std::move(piece));
   }
@@ -82,13 +73,11 @@ class SurfaceAssembler {
     const auto [face, k] = network_.patch_places[patch];
     const std::size_t n = network_.cage.faces[face].loop.size(), before = (k + n - 1) % n;
     const FaceSplit& split = *network_.splits[face];
-    Piece piece{{{patch, 0, 0, 1}, {}}, {}, {element_of(FaceId{face}), std::uint32_t(k)}, {}};
-    piece.nodes = {corner(face, k), middle(face, k), centres_ + face, middle(face, before)};
-    piece.part.sides = {{{side(face, k).halves().first.curve, true},
-                         {split.spokes[k].curve, true},
-                         {split.spokes[before].reversed().curve, true},
-                         {side(face, before).halves().second.curve, true}}};
-    piece.sources = {source(face, k), Element{}, Element{}, source(face, before)};
+    Piece piece{{patch}, {{}, {element_of(FaceId{face}), std::uint32_t(k)}, {}}};
+    piece.place.nodes = {corner(face, k), middle(face, k), centres_ + face, middle(face, before)};
+    piece.part.sides = {side(face, k).halves().first.curve, split.spokes[k].curve,
+                        split.spokes[before].reversed().curve, side(face, before).halves().second.curve};
+    piece.place.sources = {source(face, k), Element{}, Element{}, source(face, before)};
     normals_[centres_ + face] = split.normal;
     pieces_.push_back(std::move(piece));
   }
@@ -100,70 +89,36 @@ class SurfaceAssembler {
     static constexpr double at[4][2] = {{0, 0}, {0.5, 0}, {0.5, 0.5}, {0, 0.5}};
     for (std::size_t k = 0; k < 4; ++k) {
       const std::size_t before = (k + 3) % 4;
-      Piece piece{
-          {{patch, at[k][0], at[k][1], 0.5}, {}}, {}, {element_of(FaceId{face}), std::uint32_t(k)}, {}};
+      Piece piece{{patch, at[k][0], at[k][1], 0.5}, {{}, {element_of(FaceId{face}), std::uint32_t(k)}, {}}};
       // Sides and corners are those of the square, so part k begins at the patch's corner k.
       const auto slot = [&](std::size_t i) { return (k + i) % 4; };
-      piece.nodes[slot(0)] = corner(face, k);
-      piece.nodes[slot(1)] = middle(face, k);
-      piece.nodes[slot(2)] = centres_ + face;
-      piece.nodes[slot(3)] = middle(face, before);
-      piece.part.sides[slot(0)] = {side(face, k).halves().first.curve, true};
-      piece.part.sides[slot(3)] = {side(face, before).halves().second.curve, true};
-      piece.sources[slot(0)] = source(face, k);
-      piece.sources[slot(3)] = source(face, before);
+      piece.place.nodes[slot(0)] = corner(face, k);
+      piece.place.nodes[slot(1)] = middle(face, k);
+      piece.place.nodes[slot(2)] = centres_ + face;
+      piece.place.nodes[slot(3)] = middle(face, before);
+      piece.part.sides[slot(0)] = side(face, k).halves().first.curve;
+      piece.part.sides[slot(3)] = side(face, before).halves().second.curve;
+      piece.place.sources[slot(0)] = source(face, k);
+      piece.place.sources[slot(3)] = source(face, before);
       pieces_.push_back(std::move(piece));
     }
     quartered_.push_back({face, Index(pieces_.size() - 4)});
   }
 
   Surface make() {
-    std::vector<EnvelopePatchSet::Part> parts;
-    auto provenance = std::make_shared<std::vector<Provenance>>();
-    auto nodes = std::make_shared<std::vector<Index>>();
-    auto seams = std::make_shared<std::vector<Seam>>();
-    std::map<std::pair<Index, Index>, PatchSide> open;
-    for (Index p = 0; p < pieces_.size(); ++p) {
-      const Piece& piece = pieces_[p];
-      parts.push_back(piece.part);
-      provenance->push_back(piece.provenance);
-      for (std::size_t k = 0; k < 4; ++k) {
-        const Index a = piece.nodes[k], b = piece.nodes[(k + 1) % 4];
-        nodes->push_back(a);
-        const PatchSide here{p, std::uint8_t(k)};
-        if (const auto found = open.find({b, a}); found != open.end()) {
-          Seam seam;
-          seam.first = found->second;
-          seam.second = here;
-          seam.source = piece.sources[k];
-          seams->push_back(seam);
-          open.erase(found);
-        } else {
-          HARIKO_ASSERT(open.emplace(std::pair{a, b}, here).second, "two sides run the same way");
-        }
-      }
-    }
-    HARIKO_ASSERT(open.empty(), "the network is closed");
+    std::vector<EnvelopePart> parts;
+    std::vector<ClosedPatch> places;
+    for (const Piece& piece : pieces_) parts.push_back(piece.part), places.push_back(piece.place);
     auto patches = std::make_shared<const EnvelopePatchSet>(network_.patches, std::move(parts));
     for (const auto& [face, first] : quartered_)
       normals_[centres_ + face] = unit_normal(patches->evaluate(first, Vector2(1, 1), Order::first));
-    Surface::Parts out;
-    out.origin = origin_;
-    out.patches = std::move(patches);
-    out.seams = std::move(seams);
-    out.provenance = std::move(provenance);
-    out.corner_nodes = std::move(nodes);
-    out.node_count = node_count_;
-    out.node_normals = std::make_shared<const std::vector<Vector3>>(std::move(normals_));
-    out.boundary_sides = std::make_shared<const std::vector<PatchSide>>();
-    out.boundary_sources = std::make_shared<const std::vector<Element>>();
-    return Surface(std::move(out));
+    return closed_surface(origin_, std::move(patches), places, std::move(normals_));
   }
 
   const CurveNetwork& network_;
   Vector3 origin_;
   bool split_ = false;
-  Index middles_ = 0, centres_ = 0, node_count_ = 0;
+  Index middles_ = 0, centres_ = 0;
   std::vector<Piece> pieces_;
   std::vector<std::pair<Index, Index>> quartered_;  ///< face, first piece
   std::vector<Vector3> normals_;

@@ -1,10 +1,8 @@
-#include "core/envelope/network/split_face.hpp"
-
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
+#include "core/envelope/network/curve_network.hpp"
 #include "core/geometry/angles.hpp"
 
 namespace hariko {
@@ -110,20 +108,19 @@ class FaceSplitter {
     std::vector<Vector3> outward;
     for (const Side& side : sides_) outward.push_back(flattened(side.middle - centre_));
     const Vector3 x = outward[0].stableNormalized(), y = normal_.cross(x);
-    std::vector<double> sector(n);
-    for (std::size_t k = 0; k < n; ++k) {
-      const Vector3 &a = outward[k], &b = outward[(k + 1) % n];
-      sector[k] = signed_angle(a, b, normal_);
-    }
+    std::vector<double> sector;
     double total = 0;
-    for (const double s : sector) total += s;
+    for (std::size_t k = 0; k < n; ++k) {
+      sector.push_back(signed_angle(outward[k], outward[(k + 1) % n], normal_));
+      total += sector[k];
+    }
     // If the sectors do not add up to one turn, the loop winds differently round the centre and even sectors
     // are used.
     const bool once = std::abs(total - 2 * std::numbers::pi) < 1e-6;
     const double even = 2 * std::numbers::pi / double(n);
     const double narrow = std::min(narrowest_sector, 0.6 * even);
     const auto good = [&](double blend) {
-      return std::all_of(sector.begin(), sector.end(), [&](double s) {
+      return std::ranges::all_of(sector, [&](double s) {
         const double b = s + blend * (even - s);
         return b >= narrow && b <= std::max(widest_sector, even);
       });

@@ -11,8 +11,8 @@
 #include <string_view>
 #include <vector>
 
+#include "core/exchange/affine_map.hpp"
 #include "core/exchange/imported_mesh.hpp"
-#include "core/exchange/placement.hpp"
 
 namespace hariko {
 
@@ -20,7 +20,7 @@ namespace hariko {
 struct Placed3mf {
   std::uint64_t object = 0;
   std::string part;  ///< part with the object, beginning with a slash; empty: the same part
-  Placement placement;
+  AffineMap placement;
   std::size_t line = 0;
 };
 

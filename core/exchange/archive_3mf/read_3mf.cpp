@@ -140,7 +140,7 @@ class Package {
     if (target.part) target.part = spelled(*target.part);
     if (target.part && zip_->has(*target.part)) return *target.part;
     return make_error(e_format_unknown, "This archive holds no model of 3MF.",
-                      "Check that the file is a model in 3MF format.");
+                      "Unpack it, and open the models that it holds.");
   }
   std::uint64_t unpacked() const { return zip_ ? zip_->unpacked() : 0; }
   const std::map<std::string, Model3mf>& models() const { return models_; }
@@ -162,12 +162,13 @@ class SceneReader {
     const auto model = package_.model(root);
     if (!model) return model.error();
     const double metres = metres_of_document((*model)->metres_per_unit);
-    Placement units;
+    AffineMap units;
     if (metres != (*model)->metres_per_unit) units.linear *= (*model)->metres_per_unit / metres;
     metres_ = (*model)->metres_per_unit;
     for (const Placed3mf& item : placed_by(**model, root))
       if (auto error = place(item, root, units, "", 0)) return *error;
     for (const auto& [part, read] : package_.models()) collector_.note_degenerate(read.degenerate);
+    tell_what_is_not_placed();
     const std::vector<std::string> unread = unread_.sentences();
     for (const std::string& sentence : unread)
       collector_.warn(make_warning(w_left_out, sentence, remedy_plain));
@@ -199,6 +200,20 @@ class SceneReader {
     return placed.part.empty() ? from : package_.spelled(without_slash(placed.part));
   }
 
+  /// Counts the objects with triangles that neither the build nor a component places.
+  void tell_what_is_not_placed() {
+    std::size_t count = 0;
+    for (const auto& [part, model] : package_.models())
+      for (const auto& [id, object] : model.objects)
+        if (object.mesh.face_count() > 0 && !noted_.contains({part, id})) ++count;
+    if (count > 0)
+      collector_.warn(
+          make_warning(w_left_out,
+                       counted(count, " object of the file that its build does not place was left out.",
+                               " objects of the file that its build does not place were left out."),
+                       "Add them to the build in the program that wrote the file."));
+  }
+
   static Message wrong(const Placed3mf& placed, const std::string& part, const std::string& sentence) {
     if (placed.line == 0) return make_error(e_parse, sentence, remedy_correct);
     return make_error(e_parse, "Line " + std::to_string(placed.line) + " of " + part + ": " + sentence,
@@ -207,7 +222,7 @@ class SceneReader {
 
   /// Places an object with its components. `above`: placement of the enclosing object; `name`: name of the
   /// nearest enclosing object that has one.
-  std::optional<Message> place(const Placed3mf& placed, const std::string& from, const Placement& above,
+  std::optional<Message> place(const Placed3mf& placed, const std::string& from, const AffineMap& above,
                                const std::string& name, std::size_t depth) {
     const std::string part = part_of(placed, from);
     const auto model = package_.model(part);
@@ -226,7 +241,7 @@ class SceneReader {
                         "The file places more than " + std::to_string(max_placements) + " components.",
                         "Place fewer copies before importing it.");
     const Object3mf& object = found->second;
-    const Placement placement = above.after(placed.placement);
+    const AffineMap placement = above.after(placed.placement);
     const std::string& own = object.name.empty() ? name : object.name;
     collector_.add_bytes(package_.unpacked() - std::exchange(counted_, package_.unpacked()));
     if (auto error = collector_.reserve(object.mesh.positions.size(), object.mesh.face_vertices.size()))

@@ -7,7 +7,7 @@ namespace hariko {
 
 using Json = nlohmann::json;
 
-std::optional<std::vector<Placement>> gltf_instances(const Json& instances, const std::string& place,
+std::optional<std::vector<AffineMap>> gltf_instances(const Json& instances, const std::string& place,
                                                      GltfBuffers& buffers, GltfFields& fields,
                                                      SceneCollector& collector) {
   const Json* attributes = find(instances, "attributes");
@@ -31,7 +31,7 @@ std::optional<std::vector<Placement>> gltf_instances(const Json& instances, cons
     fields.fail(*error);
     return {};
   }
-  std::vector<Placement> out(*count);
+  std::vector<AffineMap> out(*count);
   for (std::size_t k = 0; k < out.size(); ++k) {
     const auto number = [&](const GltfAccessor& of, std::size_t column) {
       return gltf_number(of, k, column);

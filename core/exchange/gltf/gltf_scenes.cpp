@@ -1,5 +1,6 @@
 #include "core/exchange/gltf/gltf_scenes.hpp"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <set>
 
@@ -18,28 +19,55 @@ void append_nodes(const Json& root, const Json& owner, const char* name, std::ve
       out.push_back(number.get<std::uint64_t>());
 }
 
-/// Nodes of a scene with all that are below them.
-void reach_nodes(const Json& root, std::size_t scene, std::set<std::uint64_t>& reached) {
+/// Whether a scene's list of nodes is sound or missing.
+bool has_sound_list(const Json& root, std::size_t scene) {
+  const Json& owner = root["scenes"][scene];
+  const Json* list = find(owner, "nodes");
+  if (!list) return owner.is_object();
+  std::vector<std::uint64_t> nodes;
+  append_nodes(root, owner, "nodes", nodes);
+  return list->is_array() && nodes.size() == list->size();
+}
+
+/// Adds the nodes of a scene with all that are below them; whether a node with a mesh is among those that are
+/// new.
+bool reach_nodes(const Json& root, std::size_t scene, std::set<std::uint64_t>& reached) {
   std::vector<std::uint64_t> waiting;
   append_nodes(root, root["scenes"][scene], "nodes", waiting);
+  bool objects = false;
   while (!waiting.empty()) {
     const std::uint64_t number = waiting.back();
     waiting.pop_back();
-    if (reached.insert(number).second) append_nodes(root, root["nodes"][number], "children", waiting);
+    if (!reached.insert(number).second) continue;
+    objects = objects || find(root["nodes"][number], "mesh") != nullptr;
+    append_nodes(root, root["nodes"][number], "children", waiting);
   }
+  return objects;
 }
 
 }  // namespace
 
-std::uint64_t gltf_default_scene(const Json& root, GltfFields& fields) {
-  return fields.whole(root, "scene", "The description").value_or(0);
+GltfScene gltf_scene(const Json& root, GltfFields& fields) {
+  const std::size_t count = size_of(root, "scenes");
+  if (count == 0) return {};
+  const std::uint64_t named = fields.whole(root, "scene", "The description").value_or(0);
+  if (named >= count || !has_sound_list(root, named)) return {named, false};  // `gltf_roots` notes the error
+  // Nodes that were reached in vain are not looked at again.
+  std::set<std::uint64_t> reached;
+  if (reach_nodes(root, named, reached)) return {named, false};
+  for (std::size_t scene = 0; scene < count; ++scene)
+    if (reach_nodes(root, scene, reached)) return {scene, true};
+  const Json* nodes = find(root, "nodes");
+  const auto has_mesh = [](const Json& node) { return find(node, "mesh") != nullptr; };
+  const bool any = nodes && nodes->is_array() && std::any_of(nodes->begin(), nodes->end(), has_mesh);
+  return any ? GltfScene{std::nullopt, true} : GltfScene{named, false};
 }
 
-std::vector<std::uint64_t> gltf_roots(const Json& root, GltfFields& fields) {
-  if (size_of(root, "scenes") > 0) {
-    const std::uint64_t number = gltf_default_scene(root, fields);
-    const Json* scene = fields.entry(root, "scenes", number);
-    return scene ? fields.wholes(*scene, "nodes", numbered("scenes", number)) : std::vector<std::uint64_t>();
+std::vector<std::uint64_t> gltf_roots(const Json& root, const GltfScene& scene, GltfFields& fields) {
+  if (scene.number) {
+    const Json* found = fields.entry(root, "scenes", *scene.number);
+    return found ? fields.wholes(*found, "nodes", numbered("scenes", *scene.number))
+                 : std::vector<std::uint64_t>();
   }
   std::set<std::uint64_t> children;
   const std::size_t count = size_of(root, "nodes");
@@ -52,13 +80,16 @@ std::vector<std::uint64_t> gltf_roots(const Json& root, GltfFields& fields) {
   return out;
 }
 
-std::size_t objects_of_other_scenes(const Json& root, std::uint64_t default_scene) {
+GltfLeftOut objects_left_out(const Json& root, const GltfScene& scene) {
+  GltfLeftOut out;
+  if (!scene.number) return out;
   std::set<std::uint64_t> shown, others;
-  for (std::size_t scene = 0; scene < size_of(root, "scenes"); ++scene)
-    reach_nodes(root, scene, scene == default_scene ? shown : others);
-  std::size_t out = 0;
-  for (const std::uint64_t number : others)
-    if (!shown.contains(number) && find(root["nodes"][number], "mesh")) ++out;
+  for (std::size_t number = 0; number < size_of(root, "scenes"); ++number)
+    reach_nodes(root, number, number == *scene.number ? shown : others);
+  for (std::size_t number = 0; number < size_of(root, "nodes"); ++number) {
+    if (shown.contains(number) || !find(root["nodes"][number], "mesh")) continue;
+    ++(others.contains(number) ? out.in_others : out.in_none);
+  }
   return out;
 }
 

@@ -13,8 +13,8 @@ namespace {
 constexpr int most_sets = 64;  // sets of four joints a point
 
 /// Matrix of a row, stored by columns.
-Placement matrix_of(const GltfAccessor& matrices, std::uint64_t row) {
-  Placement out;
+AffineMap matrix_of(const GltfAccessor& matrices, std::uint64_t row) {
+  AffineMap out;
   const auto at = [&](int line, int column) {
     return gltf_number(matrices, row, static_cast<std::size_t>(4 * column + line));
   };
@@ -64,7 +64,7 @@ bool GltfSkin::bend(const Json& attributes, const std::string& place, GltfBuffer
 }
 
 std::optional<GltfSkin> gltf_skin(const Json& skin, const std::string& place,
-                                  const std::map<std::uint64_t, Placement>& places, GltfBuffers& buffers,
+                                  const std::map<std::uint64_t, AffineMap>& places, GltfBuffers& buffers,
                                   GltfFields& fields, SceneCollector& collector) {
   const auto joints = fields.wholes(skin, "joints", place);
   if (joints.empty()) fields.fail(place, "It has no joints.");
@@ -80,7 +80,7 @@ std::optional<GltfSkin> gltf_skin(const Json& skin, const std::string& place,
       fields.fail(matrices->place, "It has fewer matrices than the skin has joints.");
     if (fields.error()) return {};
   }
-  std::vector<Placement> out;
+  std::vector<AffineMap> out;
   for (std::size_t k = 0; k < joints.size(); ++k) {
     const auto at = places.find(joints[k]);
     if (at == places.end()) {

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "core/exchange/affine_map.hpp"
 #include "core/exchange/gltf/gltf_buffers.hpp"
-#include "core/exchange/placement.hpp"
 
 namespace hariko {
 
@@ -16,7 +16,7 @@ namespace hariko {
 class GltfSkin {
  public:
   /// `joints`: one map a joint, from the space of the mesh to the document's.
-  explicit GltfSkin(std::vector<Placement> joints) : joints_(std::move(joints)) {}
+  explicit GltfSkin(std::vector<AffineMap> joints) : joints_(std::move(joints)) {}
 
   /// Whether the skin mirrors the mesh, so that its faces must be turned over.
   bool mirrors() const { return !joints_.empty() && joints_.front().mirrors(); }
@@ -27,13 +27,13 @@ class GltfSkin {
             GltfFields& fields, std::vector<Vector3>& points) const;
 
  private:
-  std::vector<Placement> joints_;
+  std::vector<AffineMap> joints_;
 };
 
 /// Skin with its joints in their nodes' rest positions; `places` has the placements of the scene's nodes.
 /// Nothing, with an error noted, where it is faulty. O(joints).
 std::optional<GltfSkin> gltf_skin(const nlohmann::json& skin, const std::string& place,
-                                  const std::map<std::uint64_t, Placement>& places, GltfBuffers& buffers,
+                                  const std::map<std::uint64_t, AffineMap>& places, GltfBuffers& buffers,
                                   GltfFields& fields, SceneCollector& collector);
 
 }  // namespace hariko

@@ -49,8 +49,8 @@ bool is_among(const Names& names, const std::string& extension) {
 }
 
 /// Map from the file's space (y up, metres) to the document's (z up, millimetres).
-Placement from_file_space() {
-  Placement out;
+AffineMap from_file_space() {
+  AffineMap out;
   out.linear << 1, 0, 0, 0, 0, -1, 0, 1, 0;
   out.linear *= millimetres_per_metre;
   return out;
@@ -83,7 +83,8 @@ class GltfReader {
   Result<ImportedScene> read() {
     if (!parse()) return *fields_.error();
     if (!check_header()) return *fields_.error();
-    const std::vector<std::uint64_t> first = gltf_roots(root_, fields_);
+    scene_ = gltf_scene(root_, fields_);
+    const std::vector<std::uint64_t> first = gltf_roots(root_, scene_, fields_);
     if (fields_.error()) return *fields_.error();
     for (const std::uint64_t node : first)
       if (!visit(node)) return *fields_.error();
@@ -99,7 +100,7 @@ class GltfReader {
  private:
   struct Node {
     std::uint64_t number;
-    Placement above;
+    AffineMap above;
   };
 
   // All return false, or a value that does not count, after noting an error.
@@ -107,10 +108,10 @@ class GltfReader {
   bool check_header();
 
   bool visit(std::uint64_t root);
-  Placement placement_of(const Json& node, const std::string& place);
+  AffineMap placement_of(const Json& node, const std::string& place);
   bool add_node(std::uint64_t number);
   bool add_meshes_alone();
-  bool add_mesh(std::uint64_t number, const Json& node, const Placement& placement, const std::string& name);
+  bool add_mesh(std::uint64_t number, const Json& node, const AffineMap& placement, const std::string& name);
   bool add_skinned(std::uint64_t mesh, const Json& node, std::uint64_t skin, const std::string& name);
   std::vector<double> weights_of(const Json& node, const Json& mesh, const std::string& place);
   PolygonMesh read_mesh(const Json& mesh, const std::string& place, const std::vector<double>& weights,
@@ -122,6 +123,7 @@ class GltfReader {
                       std::vector<Vector3>& points);
   bool add_triangles(const std::vector<std::array<Index, 3>>& triangles, const std::vector<Vector3>& points,
                      bool count_degenerate, PointWelder& welder, PolygonMesh& mesh);
+  void tell_which_scene();
   void tell_what_is_left_out();
 
   std::string_view bytes_;
@@ -130,10 +132,11 @@ class GltfReader {
   SceneCollector collector_;
   GltfFields fields_;
   Json root_;
+  GltfScene scene_;
   std::optional<GltfBuffers> buffers_;         ///< set once the description is parsed
   std::map<std::uint64_t, std::size_t> uses_;  ///< uses of each mesh without a skin
   std::map<std::uint64_t, PolygonMesh> kept_;  ///< meshes that will be used again
-  std::map<std::uint64_t, Placement> places_;  ///< placements of the nodes that were reached
+  std::map<std::uint64_t, AffineMap> places_;  ///< placements of the nodes that were reached
   std::vector<std::uint64_t> with_mesh_;       ///< reached nodes with a mesh, in order
   std::size_t left_out_ = 0;
   bool shape_keys_ = false;
@@ -201,7 +204,7 @@ bool GltfReader::visit(std::uint64_t root) {
     if (!node) return false;
     if (places_.contains(at.number))
       return fields_.fail(place, "It is reached twice, or is its own ancestor.");
-    const Placement placement = at.above.after(placement_of(*node, place));
+    const AffineMap placement = at.above.after(placement_of(*node, place));
     places_.emplace(at.number, placement);
     if (const auto mesh = fields_.whole(*node, "mesh", place)) {
       with_mesh_.push_back(at.number);
@@ -215,8 +218,8 @@ bool GltfReader::visit(std::uint64_t root) {
   return true;
 }
 
-Placement GltfReader::placement_of(const Json& node, const std::string& place) {
-  Placement out;
+AffineMap GltfReader::placement_of(const Json& node, const std::string& place) {
+  AffineMap out;
   const std::vector<double> matrix = fields_.reals(node, "matrix", 16, place);
   if (!matrix.empty()) {  // stored by columns
     for (int column = 0; column < 3; ++column)
@@ -247,13 +250,13 @@ bool GltfReader::add_node(std::uint64_t number) {
   const auto skin = fields_.whole(node, "skin", place);
   if (fields_.error()) return false;
   if (skin) return add_skinned(*mesh, node, *skin, name);
-  const Placement& at = places_.at(number);
+  const AffineMap& at = places_.at(number);
   const Json* extensions = find(node, "extensions");
   const Json* instances = extensions ? find(*extensions, instancing) : nullptr;
   if (!instances) return add_mesh(*mesh, node, at, name);
   const auto copies = gltf_instances(*instances, place, *buffers_, fields_, collector_);
   if (!copies) return false;
-  for (const Placement& copy : *copies)
+  for (const AffineMap& copy : *copies)
     if (!add_mesh(*mesh, node, at.after(copy), name)) return false;
   return true;
 }
@@ -265,7 +268,7 @@ bool GltfReader::add_meshes_alone() {
   return true;
 }
 
-bool GltfReader::add_mesh(std::uint64_t number, const Json& node, const Placement& placement,
+bool GltfReader::add_mesh(std::uint64_t number, const Json& node, const AffineMap& placement,
                           const std::string& name) {
   const Json* mesh = fields_.entry(root_, "meshes", number);
   if (!mesh) return false;
@@ -425,18 +428,38 @@ bool GltfReader::add_triangles(const std::vector<std::array<Index, 3>>& triangle
   return true;
 }
 
+void GltfReader::tell_which_scene() {
+  if (!scene_.instead) return;
+  std::string sentence = "No object belongs to a scene of the file; all objects were opened.";
+  if (scene_.number) {
+    const std::string name = text_of(root_["scenes"][*scene_.number], "name");
+    sentence = "No object belongs to the default scene of the file; scene " +
+               (name.empty() ? std::to_string(*scene_.number + 1) : quote(name)) + " was opened instead.";
+  }
+  collector_.warn(make_warning(w_other_scene, sentence,
+                               "Compare the objects with those in the program that wrote the file."));
+}
+
 void GltfReader::tell_what_is_left_out() {
   if (left_out_ > 0)
     collector_.warn(make_warning(
         w_left_out, left_out_ == 1 ? std::string("A set of points or lines was left out.")
                                    : std::to_string(left_out_) + " sets of points or lines were left out."));
-  if (const std::size_t others = objects_of_other_scenes(root_, gltf_default_scene(root_, fields_));
-      others > 0)
+  tell_which_scene();
+  const GltfLeftOut objects = objects_left_out(root_, scene_);
+  if (objects.in_others > 0)
     collector_.warn(make_warning(
         w_left_out,
-        others == 1 ? std::string("An object of another scene of the file was left out.")
-                    : std::to_string(others) + " objects of other scenes of the file were left out.",
+        objects.in_others == 1
+            ? std::string("An object of another scene of the file was left out.")
+            : std::to_string(objects.in_others) + " objects of other scenes of the file were left out.",
         "Export the other scenes as files of their own."));
+  if (objects.in_none > 0)
+    collector_.warn(
+        make_warning(w_left_out,
+                     counted(objects.in_none, " object that belongs to no scene of the file was left out.",
+                             " objects that belong to no scene of the file were left out."),
+                     "Add them to the scene in the program that wrote the file."));
   if (shape_keys_ || size_of(root_, "animations") > 0)
     collector_.warn(make_warning(
         w_left_out, "Animations and shape keys were left out: the objects are as they stand in the file."));

@@ -132,7 +132,8 @@ std::vector<std::size_t> ObjParts::part_of_faces(const PolygonMesh& mesh,
 }
 
 std::vector<ImportedPart> ObjParts::split(PolygonMesh mesh, std::vector<std::array<Index, 2>> creases,
-                                          std::vector<Index> corners) const {
+                                          std::vector<Index> corners, std::size_t& joined) const {
+  joined = 0;
   for (auto& [a, b] : creases)
     if (a > b) std::swap(a, b);
   std::sort(creases.begin(), creases.end());
@@ -142,7 +143,8 @@ std::vector<ImportedPart> ObjParts::split(PolygonMesh mesh, std::vector<std::arr
   std::map<std::size_t, std::vector<std::size_t>> faces;
   for (std::size_t f = 0; f < part_of_face.size(); ++f) faces[part_of_face[f]].push_back(f);
   std::vector<ImportedPart> out;
-  if (faces.size() == 1 || faces.size() > ImportedScene::max_parts) {
+  if (faces.size() > ImportedScene::max_parts) joined = faces.size();
+  if (faces.size() == 1 || joined > 0) {
     // Objects before the only one with faces may be cameras, lights or points.
     const std::string own = faces.size() == 1 ? names[faces.begin()->first] : std::string();
     out.push_back(

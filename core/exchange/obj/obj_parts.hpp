@@ -31,9 +31,10 @@ class ObjParts {
   void warn(std::vector<Message>& warnings) const;
 
   /// Splits the mesh: each object is a part or, where there is none, each set of groups that touch. A single
-  /// part keeps the mesh unchanged, and so do more than `ImportedScene::max_parts`. O(corners log corners).
+  /// part keeps the mesh unchanged, and so do more than `ImportedScene::max_parts`, whose number is then in
+  /// `joined`. O(corners log corners).
   std::vector<ImportedPart> split(PolygonMesh mesh, std::vector<std::array<Index, 2>> creases,
-                                  std::vector<Index> corners) const;
+                                  std::vector<Index> corners, std::size_t& joined) const;
 
  private:
   struct Run {

@@ -19,25 +19,29 @@ constexpr const char* remedy_trimmed = "Export the surfaces as STEP, or as polyg
 constexpr std::array<std::string_view, 12> surface_statements{"cstype", "deg", "surf", "curv", "parm", "trim",
                                                               "hole",   "end", "bzp",  "bsp",  "cdp",  "cdc"};
 
-/// Part of a piece between two knots that lies in a parameter range, as fractions of the piece; nothing where
-/// it lies outside. A piece is kept whole where knots and range do not fit together.
-std::optional<std::array<double, 2>> kept_piece(const std::vector<double>& knots, std::size_t piece,
-                                                double low, double high) {
+/// Parts of the pieces between knots that lie in a parameter range, as fractions of each piece; nothing for a
+/// piece that lies outside. All are kept whole where knots and range do not fit together.
+std::vector<std::optional<std::array<double, 2>>> kept_pieces(const std::vector<double>& knots,
+                                                              std::size_t count, double low, double high) {
   constexpr std::array<double, 2> whole{0, 1};
   constexpr double smallest = 1e-9;  // fraction of a piece
+  std::vector<std::optional<std::array<double, 2>>> out(count, whole);
   const auto rises = [](double a, double b) { return a < b; };
   if (knots.size() < 2 || !(low < high) ||
       std::adjacent_find(knots.begin(), knots.end(), std::not_fn(rises)) != knots.end() ||
       !(std::min(high, knots.back()) - std::max(low, knots.front()) >
         2 * smallest * (knots.back() - knots.front())))
-    return whole;
-  const double begin = knots[piece], length = knots[piece + 1] - begin;
-  double from = std::clamp((low - begin) / length, 0.0, 1.0),
-         to = std::clamp((high - begin) / length, 0.0, 1.0);
-  if (from < smallest) from = 0;
-  if (to > 1 - smallest) to = 1;
-  if (!(to - from > smallest)) return {};
-  return std::array<double, 2>{from, to};
+    return out;
+  for (std::size_t piece = 0; piece < count; ++piece) {
+    const double begin = knots[piece], length = knots[piece + 1] - begin;
+    double from = std::clamp((low - begin) / length, 0.0, 1.0),
+           to = std::clamp((high - begin) / length, 0.0, 1.0);
+    if (from < smallest) from = 0;
+    if (to > 1 - smallest) to = 1;
+    out[piece].reset();
+    if (to - from > smallest) out[piece] = std::array<double, 2>{from, to};
+  }
+  return out;
 }
 
 /// Cuts a Bezier curve to a part by de Casteljau's algorithm; `point(i)` is control point i of `degree` + 1.
@@ -168,10 +172,11 @@ void ObjSurfaces::add_patches(const Surface& surface, const std::vector<Vector3>
                               const std::vector<double>& weights, std::vector<BezierPatch>& out) {
   const std::size_t du = std::size_t(surface.degree_u), dv = std::size_t(surface.degree_v);
   const std::size_t width = surface.columns() * du + 1;
+  const auto columns = kept_pieces(surface.knots_u, surface.columns(), surface.range[0], surface.range[1]),
+             rows = kept_pieces(surface.knots_v, surface.rows(), surface.range[2], surface.range[3]);
   for (std::size_t row = 0; row < surface.rows(); ++row)
     for (std::size_t column = 0; column < surface.columns(); ++column) {
-      const auto kept_u = kept_piece(surface.knots_u, column, surface.range[0], surface.range[1]),
-                 kept_v = kept_piece(surface.knots_v, row, surface.range[2], surface.range[3]);
+      const auto &kept_u = columns[column], &kept_v = rows[row];
       if (!kept_u || !kept_v) continue;
       BezierPatch patch{surface.degree_u, surface.degree_v, {}, {}};
       for (std::size_t j = 0; j <= dv; ++j)

@@ -253,7 +253,9 @@ Result<ImportedScene> ObjReader::scene() {
   out.patches = std::move(patches).value();
   if (out_.mesh.face_count() > 0) {
     const std::size_t vertices = out_.mesh.positions.size();
-    out.parts = parts_.split(std::move(out_.mesh), tags_.creases(vertices), tags_.corners(vertices));
+    std::size_t joined = 0;
+    out.parts = parts_.split(std::move(out_.mesh), tags_.creases(vertices), tags_.corners(vertices), joined);
+    if (joined > 0) out_.warnings.push_back(objects_joined_message(joined));
   }
   out.warnings = std::move(out_.warnings);
   return out;

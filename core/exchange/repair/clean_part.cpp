@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <string>
 #include <utility>
 
+#include "core/base/index_list.hpp"
 #include "core/exchange/number_text.hpp"
 #include "core/exchange/repair/t_joints.hpp"
 #include "core/polyhedron/repair.hpp"
@@ -15,21 +15,12 @@ namespace hariko {
 
 namespace {
 
-std::string counted(std::size_t count, const char* one, const char* several) {
-  return std::to_string(count) + (count == 1 ? one : several);
-}
-
 /// Text of a non-negative length, three digits, rounded up: used as a tolerance, it still reaches as far.
 std::string length_text(double length) {
-  const auto digits = [](double value) {
-    std::array<char, 16> out{};
-    return std::string(out.data(),
-                       std::to_chars(out.begin(), out.end(), value, std::chars_format::general, 3).ptr);
-  };
-  std::string text = digits(length);
+  std::string text = rounded_text(length, 3);
   double told = 0;
   if (parse_real(text, told) == NumberStatus::ok && told < length)
-    text = digits(length + 0.5 * std::pow(10.0, std::floor(std::log10(length)) - 2));
+    text = rounded_text(length + 0.5 * std::pow(10.0, std::floor(std::log10(length)) - 2), 3);
   return text;
 }
 
@@ -72,26 +63,17 @@ bool is_loose(const PolygonMesh& mesh) {
   return true;
 }
 
-double mean_edge_length(const PolygonMesh& mesh) {
-  double sum = 0;
-  for (std::size_t f = 0; f < mesh.face_count(); ++f) {
-    const auto face = mesh.face(f);
-    for (std::size_t k = 0; k < face.size(); ++k)
-      sum += (mesh.positions[face[(k + 1) % face.size()]] - mesh.positions[face[k]]).norm();
-  }
-  return mesh.face_vertices.empty() ? 0 : sum / double(mesh.face_vertices.size());
-}
-
 /// Counts the corners that are near others and are not joined. Where all faces are loose the mesh is no
 /// surface as it is, and corners farther apart count too, but by no more than a tenth of the edges.
 void count_near(const PolygonMesh& mesh, double tolerance, CleanReport& report) {
   NearCorners near = near_corners(mesh, tolerance);
   if (is_loose(mesh)) {
-    const double distance = std::min(loose_joining_distance * used_size(mesh), 0.1 * mean_edge_length(mesh));
+    const double distance = std::min(loose_joining_distance * used_size(mesh), 0.1 * median_side(mesh));
     const NearCorners farther = near_corners(mesh, std::max(distance, tolerance));
     if (farther.count > near.count) {
       near = farther;
       report.tolerance = std::max(report.tolerance, (1 + 1e-6) * near.farthest);  // reaches as far
+      report.loose = true;
     }
   }
   report.near += near.count;
@@ -126,8 +108,7 @@ void separate(ImportedPart& part, CleanReport& report) {
         creases.push_back({std::min(v, w), std::max(v, w)});
     }
   }
-  std::sort(creases.begin(), creases.end());
-  creases.erase(std::unique(creases.begin(), creases.end()), creases.end());
+  sort_unique(creases);
   part.creases = std::move(creases);
   std::sort(part.corners.begin(), part.corners.end());
   const auto before = static_cast<Index>(part.mesh.positions.size());
@@ -142,7 +123,7 @@ void separate(ImportedPart& part, CleanReport& report) {
 }  // namespace
 
 void clean(ImportedPart& part, const JoinChoice& choice, CleanReport& report) {
-  const double usual = usual_joining_distance * used_size(part.mesh);
+  const double usual = joining_distance(part.mesh);
   const double tolerance = choice.near ? choice.distance.value_or(usual) : usual;
   report.tolerance = std::max(report.tolerance, tolerance);
   std::vector<char> used(part.mesh.positions.size(), 0);

@@ -19,7 +19,7 @@ inline constexpr Code w_bodies_apart{"W_BODIES_APART"};  ///< bodies that touch 
 inline constexpr Code w_t_joints{"W_T_JOINTS"};
 
 /// Corners to join. Corners at bit-identical positions always are; with `near` also those within `distance`
-/// in the file's numbers, or within 1e-6 of each mesh's size where it is not given.
+/// in the file's numbers, or within each mesh's `joining_distance` where it is not given.
 struct JoinChoice {
   bool near = false;
   std::optional<double> distance = {};
@@ -35,6 +35,7 @@ struct CleanReport {
   std::size_t near = 0;         ///< corners that lie near others and were not joined
   double near_farthest = 0;     ///< largest distance between such corners
   double tolerance = 0;         ///< largest tolerance that was used, or would be
+  bool loose = false;           ///< it is that of a mesh whose faces are all loose, and not each mesh's own
   std::size_t collapsed = 0;    ///< faces that had several corners at one place
   std::size_t flat = 0;         ///< triangles whose corners lie on one line
   std::size_t keyholes = 0;     ///< faces with a hole that were cut into faces without

@@ -81,6 +81,7 @@ class TJointSearch {
     };
     // Rounding of the bound itself must not hide a vertex.
     const double reach = distance_ + 1e-12 * (length + a.norm());
+    if (!(length > 2 * reach)) return out;  // no vertex is inside so short an edge, but many may be near
     tree_.visit_near(
         away, [&](double least) { return least <= reach; },
         [&](Index k) {

@@ -5,6 +5,7 @@
 #include <limits>
 #include <numeric>
 
+#include "core/base/index_list.hpp"
 #include "core/geometry/polygon.hpp"
 
 namespace hariko {
@@ -142,8 +143,8 @@ class ReflexGrid {
 
   const std::vector<Vector2>& points_;
   Vector2 low_ = Vector2::Zero(), size_ = Vector2::Ones();
-  std::size_t count_ = 0;                 ///< of rows, and of columns
-  std::vector<std::size_t> begin_, end_;  ///< of each cell, in in_cells_
+  std::size_t count_ = 0;                 ///< number of rows, and of columns
+  std::vector<std::size_t> begin_, end_;  ///< range of each cell in in_cells_
   std::vector<Index> in_cells_, place_;   ///< place of each corner in in_cells_, no_index for others
 };
 
@@ -226,8 +227,7 @@ class LongPolygon {
 std::vector<std::array<Index, 3>> triangulate_polygon(std::span<const Vector3> corners) {
   std::vector<std::array<Index, 3>> out;
   if (corners.size() < 3) return out;
-  std::vector<Index> ring(corners.size());
-  std::iota(ring.begin(), ring.end(), Index{0});
+  std::vector<Index> ring = ascending_indices(corners.size());
   if (ring.size() > largest_for_all) {
     const std::vector<Vector2> points = project(corners);
     LongPolygon polygon(points);

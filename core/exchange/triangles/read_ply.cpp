@@ -7,6 +7,7 @@
 #include <cstring>
 #include <optional>
 
+#include "core/exchange/imported_scene.hpp"
 #include "core/exchange/number_text.hpp"
 #include "core/exchange/repair/remedies.hpp"
 #include "core/exchange/text_scanner.hpp"
@@ -14,6 +15,10 @@
 
 namespace hariko {
 namespace {
+
+/// Elements that have no shape.
+constexpr std::array<std::string_view, 6> shapeless_elements{
+    "camera", "material", "texture", "user", "multi_texture_vertex", "multi_texture_face"};
 
 /// Sequential reader of a binary file's numbers.
 class BinarySource {
@@ -79,6 +84,8 @@ class PlyReader {
   /// Role of each property of an element.
   std::vector<Role> roles_of(const PlyElement& element) const;
   std::optional<Message> check_counts() const;
+  void drop_what_is_not_finite();
+  void tell_what_is_left_out();
 
   std::optional<Message> read_text();
   std::optional<Message> read_text_row(TextScanner& scanner, const PlyElement& element,
@@ -210,7 +217,8 @@ std::optional<Message> PlyReader::read_text_row(TextScanner& scanner, const PlyE
     if (element.properties[p].is_list) {
       error = read_text_list(scanner, roles[p]);
     } else if (roles[p] != Role::skipped) {
-      error = scanner.read_real("coordinate", point_[static_cast<int>(roles[p]) - static_cast<int>(Role::x)]);
+      error =
+          scanner.read_any_real("coordinate", point_[static_cast<int>(roles[p]) - static_cast<int>(Role::x)]);
     } else if (scanner.token().empty()) {
       if (scanner.at_end()) return scanner.file_ends("rest of the element");
       return scanner.error_here(e_parse, "The line has fewer numbers than the header says.", remedy_correct);
@@ -290,17 +298,12 @@ std::optional<Message> PlyReader::read_binary_row(BinarySource& source, const Pl
       if (auto error = read_binary_list(source, property, roles[p], element, row)) return error;
       continue;
     }
-    const std::size_t begin = source.position();
     if (source.remaining() < ply_size(property.type)) return binary_end(bytes_.size(), element, row);
     if (roles[p] == Role::skipped) {
       source.skip(ply_size(property.type));
       continue;
     }
-    const double value = source.real(property.type);
-    if (!std::isfinite(value))
-      return binary_error(e_parse, begin, "A coordinate of vertex " + std::to_string(row) + " is not finite.",
-                          remedy_correct);
-    point_[static_cast<int>(roles[p]) - static_cast<int>(Role::x)] = value;
+    point_[static_cast<int>(roles[p]) - static_cast<int>(Role::x)] = source.real(property.type);
   }
   if (element.name == "vertex") out_.mesh.positions.push_back(point_);
   return {};
@@ -344,6 +347,44 @@ std::optional<Message> PlyReader::read_binary() {
   return {};
 }
 
+/// Drops vertices that are not finite, which programs write where a scan sees nothing, and the faces that use
+/// them.
+void PlyReader::drop_what_is_not_finite() {
+  const PolygonMesh& mesh = out_.mesh;
+  const auto finite = [](const Vector3& p) { return p.allFinite(); };
+  if (std::all_of(mesh.positions.begin(), mesh.positions.end(), finite)) return;
+  PolygonMesh kept;
+  std::vector<Index> number(mesh.positions.size(), no_index);
+  for (Index v = 0; v < number.size(); ++v) {
+    if (!finite(mesh.positions[v])) continue;
+    number[v] = static_cast<Index>(kept.positions.size());
+    kept.positions.push_back(mesh.positions[v]);
+  }
+  std::vector<Index> corners;
+  for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+    corners.clear();
+    for (const Index v : mesh.face(f)) corners.push_back(number[v]);
+    if (std::find(corners.begin(), corners.end(), no_index) == corners.end()) kept.add_face(corners);
+  }
+  if (const std::size_t left_out = mesh.face_count() - kept.face_count(); left_out > 0)
+    out_.warnings.push_back(not_finite_message(left_out));
+  out_.mesh = std::move(kept);
+}
+
+void PlyReader::tell_what_is_left_out() {
+  for (const PlyElement& element : header_.elements) {
+    const auto is = [&](std::string_view name) { return element.name == name; };
+    if (element.count == 0 || is("vertex") || is("face") || is("tristrips") ||
+        std::any_of(shapeless_elements.begin(), shapeless_elements.end(), is))
+      continue;
+    out_.warnings.push_back(make_warning(w_left_out,
+                                         "The element " + quote(element.name) + " with " +
+                                             std::to_string(element.count) +
+                                             " entries is not read and was left out.",
+                                         "Export what it holds as polygons."));
+  }
+}
+
 Result<ImportedMesh> PlyReader::read() {
   if (auto error = check_counts()) return *error;
   for (const PlyElement& element : header_.elements)
@@ -352,6 +393,10 @@ Result<ImportedMesh> PlyReader::read() {
   if (out_.mesh.face_count() == 0)
     return make_error(e_empty, "The file has " + std::to_string(vertex_count_) + " vertices and no faces.",
                       "Export polygons, not a cloud of points.");
+  drop_what_is_not_finite();
+  if (out_.mesh.face_count() == 0)
+    return make_error(e_empty, "No face of the file has finite coordinates only.", "Export the model again.");
+  tell_what_is_left_out();
   return std::move(out_);
 }
 

@@ -80,7 +80,13 @@ class TriangleCollector {
       mesh_.add_face({a, b, c});
     return true;
   }
+  /// Leaves out a triangle with a corner that is not finite.
+  void leave_out() { ++not_finite_count_; }
   bool add(const Vector3 (&corners)[3]) {
+    if (!corners[0].allFinite() || !corners[1].allFinite() || !corners[2].allFinite()) {
+      leave_out();
+      return true;
+    }
     const Index a = vertex(corners[0]), b = vertex(corners[1]), c = vertex(corners[2]);
     return add(a, b, c);
   }
@@ -99,12 +105,13 @@ class TriangleCollector {
     welder_ = PointWelder(0);
   }
   Result<ImportedScene> finish() {
-    if (out_.parts.empty())
-      return make_error(e_empty,
-                        degenerate_count_ == 0
-                            ? "The file has no triangles."
-                            : "All triangles of the file have two corners at the same place.",
-                        "Export the model again.");
+    if (out_.parts.empty()) {
+      const char* why = "The file has no triangles.";
+      if (degenerate_count_ > 0) why = "All triangles of the file have two corners at the same place.";
+      if (not_finite_count_ > 0) why = "No triangle of the file has finite coordinates only.";
+      return make_error(e_empty, why, "Export the model again.");
+    }
+    if (not_finite_count_ > 0) warn(not_finite_message(not_finite_count_));
     if (degenerate_count_ > 0)
       warn(make_warning(
           w_degenerate_triangles,
@@ -113,6 +120,7 @@ class TriangleCollector {
                                       : " triangles with two corners at the same place were left out.")));
     if (out_.parts.size() == 1 && out_.parts[0].name.empty()) out_.parts[0].name = first_name_;
     if (out_.parts.size() > ImportedScene::max_parts) {  // as groups of an OBJ file
+      warn(objects_joined_message(out_.parts.size()));
       ImportedMesh whole = merged(std::move(out_));
       out_ = {};
       out_.parts.push_back({std::move(whole.mesh), first_name_});
@@ -128,7 +136,7 @@ class TriangleCollector {
   PolygonMesh mesh_;  ///< the present solid
   ImportedScene out_;
   std::string first_name_;
-  std::size_t degenerate_count_ = 0, vertices_before_ = 0, corners_before_ = 0;
+  std::size_t degenerate_count_ = 0, not_finite_count_ = 0, vertices_before_ = 0, corners_before_ = 0;
 };
 
 Message facet_error(Code code, std::uint64_t facet, const std::string& sentence, const char* remedy) {
@@ -175,17 +183,23 @@ Result<ImportedScene> read_binary(std::string_view bytes, const ReadLimits& limi
     if (count - facet > ahead)
       for (int k = 0; k < 3; ++k) collector.expect(point_at(corners + ahead * facet_size + corner_size * k));
     Index vertices[3];
+    Vector3 positions[3];
+    bool finite = true;
     for (int k = 0; k < 3; ++k) {
       vertices[k] = no_index;
       for (int j = 0; before && j < 3; ++j)
         if (std::memcmp(corners + corner_size * k, before + corner_size * j, corner_size) == 0)
           vertices[k] = known[j];
-      if (vertices[k] != no_index) continue;
-      const Vector3 position = point_at(corners + corner_size * k);
-      if (!position.allFinite())
-        return facet_error(e_parse, facet, "A coordinate is not finite.", remedy_correct);
-      vertices[k] = collector.vertex(position);
+      positions[k] = point_at(corners + corner_size * k);
+      finite = finite && positions[k].allFinite();
     }
+    if (!finite) {
+      collector.leave_out();
+      before = nullptr;
+      continue;
+    }
+    for (int k = 0; k < 3; ++k)
+      if (vertices[k] == no_index) vertices[k] = collector.vertex(positions[k]);
     if (!collector.add(vertices[0], vertices[1], vertices[2]))
       return facet_error(e_limit, facet, collector.limit_sentence(), remedy_reduce);
     before = corners;
@@ -303,7 +317,7 @@ std::optional<Message> StlTextReader::skip_normal() {
   }
 }
 
-/// Reads three coordinates; only numbers are looked for on further lines.
+/// Reads three coordinates, not necessarily finite; only numbers are looked for on further lines.
 std::optional<Message> StlTextReader::read_corner(Vector3& corner) {
   for (int axis = 0; axis < 3; ++axis) {
     const std::string_view rest(scanner_.position(), scanner_.remaining());
@@ -313,7 +327,7 @@ std::optional<Message> StlTextReader::read_corner(Vector3& corner) {
       if (ahead.find_content() && ahead.token().find_first_of("0123456789") != std::string_view::npos)
         scanner_.find_content();
     }
-    if (auto error = scanner_.read_real("coordinate", corner[axis])) return error;
+    if (auto error = scanner_.read_any_real("coordinate", corner[axis])) return error;
   }
   return {};
 }

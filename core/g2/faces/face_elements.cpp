@@ -4,6 +4,7 @@
 #include <set>
 #include <utility>
 
+#include "core/base/index_list.hpp"
 #include "core/g2/curvature_target.hpp"
 #include "core/g2/faces/face_measure.hpp"
 
@@ -57,13 +58,12 @@ Eigen::MatrixXd FaceElements::chart_energy(const G2Layout& layout, Index face,
 
 bool FaceElements::bend_over(const G2Layout& layout, const FaceReferences& references) {
   const Index faces = layout.mesh().face_count();
-  std::vector<Index> tense, all(faces);
+  std::vector<Index> tense;
   for (Index f = 0; f < faces; ++f)
     if (over_reference_[f] > 0) tense.push_back(f);
   if (tense.empty()) return false;
-  std::iota(all.begin(), all.end(), Index(0));
   std::vector<double> area(faces);
-  for_faces_by_chart(layout, std::move(all), [&](Index f, const ChartSamples& samples) {
+  for_faces_by_chart(layout, ascending_indices(faces), [&](Index f, const ChartSamples& samples) {
     area[f] = area_of(samples, references(f, samples));
   });
   const double surface = std::accumulate(area.begin(), area.end(), 0.0);
@@ -80,10 +80,6 @@ bool FaceElements::bend_over(const G2Layout& layout, const FaceReferences& refer
     element_[f] = std::make_shared<const CondensedFace>(condense(layout.places(f), energy));
   });
   return true;
-}
-
-std::size_t FaceElements::count() const {
-  return std::set<std::shared_ptr<const CondensedFace>>(element_.begin(), element_.end()).size();
 }
 
 std::size_t FaceElements::bytes() const {

@@ -55,8 +55,6 @@ class FaceElements {
   /// are no such faces.
   bool bend_over(const G2Layout& layout, const FaceReferences& references);
 
-  /// Number of different elements.
-  std::size_t count() const;
   /// Bytes of matrices; shared ones are counted once.
   std::size_t bytes() const;
 

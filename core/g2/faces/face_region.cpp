@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <numeric>
 
+#include "core/base/index_list.hpp"
+
 namespace hariko {
 
 FaceRegion face_region(const G2Layout& layout, const std::vector<bool>& given, std::vector<Index> faces) {
@@ -42,9 +44,7 @@ FaceRegion face_region(const G2Layout& layout, const std::vector<bool>& given, s
 }
 
 FaceRegion region_of_all(const G2Layout& layout, const std::vector<bool>& given) {
-  std::vector<Index> faces(layout.mesh().face_count());
-  std::iota(faces.begin(), faces.end(), Index(0));
-  return face_region(layout, given, std::move(faces));
+  return face_region(layout, given, ascending_indices(layout.mesh().face_count()));
 }
 
 }  // namespace hariko

@@ -2,8 +2,6 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <cmath>
 #include <numbers>
 
@@ -22,14 +20,6 @@ constexpr double coarse_step = 45;                              // degrees
 constexpr double uneven_ratio = 6;                              // ratio of the largest to the median step
 constexpr double slanted_warning = 2, slanted_error = 10;       // degrees
 constexpr double concave_warning = 1e-9, concave_error = 1e-3;  // relative to the size
-
-/// Number with three significant digits.
-std::string short_text(double value) {
-  std::array<char, 32> buffer;
-  const auto result =
-      std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::general, 3);
-  return {buffer.data(), result.ptr};
-}
 
 /// Worst of the points with the same fault, and their count.
 struct Worst {
@@ -179,8 +169,8 @@ void Check::check_steps() {
           "Turn the normals along the outline, or use the mode position.", same.point);
   if (coarse.count)
     error(e_coarse_normals,
-          "The normal turns " + short_text(coarse.value * degrees) + " degrees from " + name(coarse.point) +
-              " to the next" + coarse.others() + ".",
+          "The normal turns " + rounded_text(coarse.value * degrees, 3) + " degrees from " +
+              name(coarse.point) + " to the next" + coarse.others() + ".",
           "Sample the outline more densely.", coarse.point);
   std::vector<double> sorted = steps;
   const auto middle = sorted.begin() + std::ptrdiff_t(sorted.size() / 2);
@@ -189,8 +179,8 @@ void Check::check_steps() {
   if (*largest > uneven_ratio * *middle && mode_ != GaussMode::position) {
     const OutlinePoint point = outline_point(outline_, Index(largest - steps.begin()));
     warn(w_uneven_normals,
-         "The normal turns unevenly: " + short_text(*largest / *middle) + " times the usual step after " +
-             name(point) + ".",
+         "The normal turns unevenly: " + rounded_text(*largest / *middle, 3) +
+             " times the usual step after " + name(point) + ".",
          "Resample the outline uniformly in the turning of its normals.", point);
   }
 }
@@ -208,7 +198,7 @@ void Check::check_slants() {
       warning.take(slant, point);
   });
   const auto text = [&](const Worst& worst) {
-    return "The normal at " + name(worst.point) + " is " + short_text(worst.value) +
+    return "The normal at " + name(worst.point) + " is " + rounded_text(worst.value, 3) +
            " degrees off the perpendicular of the outline" + worst.others() + ".";
   };
   const std::string remedy = "Make the normals perpendicular to the outline.";
@@ -246,7 +236,7 @@ void Check::check_curvature() {
           "The Gaussian curvature is positive at " + name(positive) + " and negative at " + name(negative) +
               ".",
           "Give curvature of one sign, or use the mode position.", negative);
-  else if (negatives && (mode_ == GaussMode::paper || mode_ == GaussMode::minkowski))
+  else if (negatives && mode_ == GaussMode::paper)
     error(e_negative_curvature,
           "The Gaussian curvature at " + name(negative) + " is negative, which this mode cannot do.",
           "Use the mode round (umbilic) or curvature.", negative);
@@ -270,7 +260,7 @@ void Check::check_convexity() {
   if (largest <= concave_warning * size_) return;
   const OutlinePoint at = outline_point(outline_, plane);
   const std::string text = "The tangent plane of " + name(at) + " cuts off " +
-                           name(outline_point(outline_, cut)) + " by " + short_text(largest) +
+                           name(outline_point(outline_, cut)) + " by " + rounded_text(largest, 3) +
                            ": no convex surface has these normals.";
   const std::string remedy =
       "Turn the normals outward, or choose negative curvature for the shape of a saddle.";

@@ -10,7 +10,7 @@
 namespace hariko {
 
 /// Method of computing the surface's control points (gaussmap.md 4).
-enum class GaussMode { curvature, umbilic, minkowski, paper, position };
+enum class GaussMode { curvature, umbilic, paper, position };
 
 inline constexpr Code e_outline_too_few{"E_TOO_FEW"};
 inline constexpr Code e_outline_not_finite{"E_NAN"};

@@ -11,6 +11,7 @@ GaussOptions gauss_options(const OutlineSettings& settings) {
   out.radius = settings.radius;
   out.most_points = settings.most_points;
   out.gap = settings.gap;
+  out.mode_replaced = settings.mode_replaced;
   return out;
 }
 

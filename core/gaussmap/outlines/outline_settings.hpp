@@ -20,10 +20,16 @@ struct OutlineSettings {
   std::optional<double> gap;          ///< length > 0; empty: only `radius` decides
   bool curvature_continuous = false;  ///< patches of mode G2 instead of FAIR
   Frames frames = Frames::equal;      ///< layout of the control points' polyhedron in the plane
+  /// `mode` stands in for the mode minkowski, which a file or command line asked for; not saved.
+  bool mode_replaced = false;
 
   static constexpr double smallest_radius = 0.01, largest_radius = 100;
   static constexpr Index point_limit = 20000;
-  friend bool operator==(const OutlineSettings&, const OutlineSettings&) = default;
+  /// Compares all but `mode_replaced`, so that a saved document equals the one that is read back.
+  friend bool operator==(const OutlineSettings& a, const OutlineSettings& b) {
+    return a.mode == b.mode && a.sign == b.sign && a.radius == b.radius && a.most_points == b.most_points &&
+           a.gap == b.gap && a.curvature_continuous == b.curvature_continuous && a.frames == b.frames;
+  }
 };
 
 /// Options of `control_points` for these settings.

@@ -77,15 +77,4 @@ double SphereMesh::solid_angle(Index i) const {
   return sum;
 }
 
-double SphereMesh::gnomonic_area(Index i) const {
-  const std::vector<Vector3> corners = cell(i);
-  const Vector3& n = sites_[i];
-  double sum = 0;
-  for (std::size_t k = 0; k < corners.size(); ++k) {
-    const Vector3 &a = corners[k], &b = corners[(k + 1) % corners.size()];
-    sum += n.dot((a / a.dot(n) - n).cross(b / b.dot(n) - n)) / 2;
-  }
-  return sum;
-}
-
 }  // namespace hariko

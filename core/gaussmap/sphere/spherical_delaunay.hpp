@@ -44,8 +44,6 @@ class SphereMesh {
   std::vector<Vector3> cell(Index site) const;
   /// Signed solid angle of the cell. The cells of all sites partition the image.
   double solid_angle(Index site) const;
-  /// Signed area of the cell's central projection onto the tangent plane at the site.
-  double gnomonic_area(Index site) const;
 
  private:
   std::vector<Vector3> sites_;

@@ -95,12 +95,7 @@ class PlaneWalk {
       if (mesh_.twin(h) != no_index) out.push_back(mesh_.face(mesh_.twin(h)));
       return out;
     }
-    const Index first = mesh_.outgoing(crossing.vertex);
-    for (Index h = first; h != no_index;) {
-      out.push_back(mesh_.face(h));
-      h = mesh_.rotate(h);
-      if (h == first) break;
-    }
+    for (const Index h : mesh_.fan_corners(crossing.vertex)) out.push_back(mesh_.face(h));
     return out;
   }
 

@@ -4,7 +4,8 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numeric>
+
+#include "core/base/index_list.hpp"
 
 namespace hariko {
 
@@ -39,8 +40,8 @@ std::vector<Candidate> candidates_for(const Surface& surface, const Vector3& poi
   std::vector<Candidate> best;
   std::vector<Vector3> positions, normals;
   for (Index first = 0; first < surface.patch_count(); first += patches_at_a_time) {
-    std::vector<Index> patches(std::min(patches_at_a_time, surface.patch_count() - first));
-    std::iota(patches.begin(), patches.end(), first);
+    const std::vector<Index> patches =
+        ascending_indices(std::min(patches_at_a_time, surface.patch_count() - first), first);
     positions.resize(patches.size() * n);
     normals.resize(patches.size() * n);
     surface.patches().evaluate_grid(patches, pattern, positions, normals);

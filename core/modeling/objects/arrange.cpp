@@ -124,6 +124,36 @@ Result<Object> image_of(const Object& object, const MirrorPlane& plane) {
   return image;
 }
 
+/// Own axis across which a source is reflected for a place that mirrors, so that the placement turns least
+/// against `own`; of equal ones the first.
+Axis axis_of_image(const Similarity& own, const Similarity& mirrored) {
+  const auto nearness = [&](Axis axis) {
+    const Similarity place = place_of_reflected(mirrored, static_cast<int>(index_of(axis)));
+    return std::abs((own.rotation.conjugate() * place.rotation).w());
+  };
+  Axis best = Axis::x;
+  for (const Axis axis : {Axis::y, Axis::z})
+    if (nearness(axis) > nearness(best) + 1e-12) best = axis;
+  return best;
+}
+
+/// The object at one of its places alone, with a reflected source where the place mirrors.
+Result<Object> object_at_place(const Object& object, const Similarity& place) {
+  Object out = object;
+  out.transform = place;
+  if (place.mirrors()) {
+    const Axis own = axis_of_image(object.transform, place);
+    auto source = mirrored_source(object, own);
+    if (!source) return source.error();
+    out.source = std::move(source).value();
+    out.transform = place_of_reflected(place, static_cast<int>(index_of(own)));
+  }
+  const auto placed = detail::checked_transform(out.transform);
+  if (!placed) return placed.error();
+  out.transform = *placed;
+  return out;
+}
+
 /// Moves objects along an axis, each by its own distance.
 Result<Document> moved_along(const Document& document, const std::map<ObjectId, double>& distances,
                              Axis axis) {
@@ -293,6 +323,32 @@ Result<Document> live_copies_along_curve(const Document& document, std::span<con
   for (std::size_t k = 1; k < places.size(); ++k)
     list.places.push_back({turns[k], 1, places[k].position - turns[k] * first});
   return add_live_copies(*begun, objects, list);
+}
+
+CopyArray mirror_of_copies(const MirrorPlane& plane) {
+  return MirrorOfCopies{plane.point(), plane.normal()};
+}
+
+Result<AddedObjects> copies_to_objects(const Document& document, std::span<const ObjectId> objects) {
+  AddedObjects out{document, {}};
+  for (const ObjectId id : objects) {
+    const std::shared_ptr<const Object> object = out.document.find_shared(id);
+    if (!object) return detail::unknown_object(id);
+    if (object->copies->empty()) continue;
+    auto single = set_copies(out.document, id, {});
+    if (!single) return single.error();
+    const std::vector<Similarity> places = places_of(*object);
+    auto added = duplicate_objects(
+        *single, std::span(&id, 1), places.size() - 1,
+        [&](const Object& copy, std::size_t number) { return object_at_place(copy, places[number]); });
+    if (!added) return added.error();
+    out.document = std::move(added->document);
+    out.ids.insert(out.ids.end(), added->ids.begin(), added->ids.end());
+  }
+  if (out.ids.empty())
+    return make_error(e_no_live_copies, "What is chosen has no live copies.",
+                      "Choose an object with live copies.");
+  return out;
 }
 
 Result<AddedObjects> mirrored_copies(const Document& document, std::span<const ObjectId> objects,

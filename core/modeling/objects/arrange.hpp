@@ -86,6 +86,15 @@ Result<AddedObjects> array_along_curve(const Document& document, std::span<const
 Result<Document> live_copies_along_curve(const Document& document, std::span<const ObjectId> objects,
                                          const ArcLengthCurve& curve, const CurveLayout& layout);
 
+/// The mirror image in a plane of the document's space as an array of live copies (`add_live_copies`).
+CopyArray mirror_of_copies(const MirrorPlane& plane);
+
+/// Makes objects of the live copies of objects, as `duplicate_objects` makes them, at the same places; the
+/// originals stay at their own. Sources of mirror images are reflected as `mirrored_copies` reflects them.
+/// The ids are those of the new objects. Errors: E_UNKNOWN_OBJECT, E_LOCKED, E_NO_LIVE_COPIES (none of the
+/// objects has any), E_TRANSFORM_INVALID, E_TOO_MANY_OBJECTS, and those of `mirrored_source`.
+Result<AddedObjects> copies_to_objects(const Document& document, std::span<const ObjectId> objects);
+
 /// Makes one mirror image of each object in a plane of the document's space. Surfaces and facets of the
 /// images are oriented outward. The source is reflected in a plane of its own space (`mirrored_source`), the
 /// rest is taken up by the placement. Errors: E_NO_OBJECTS, E_NO_MIRROR_IMAGE (pictures and objects of an

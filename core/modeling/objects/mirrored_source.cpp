@@ -1,7 +1,5 @@
 #include "core/modeling/objects/mirrored_source.hpp"
 
-#include <algorithm>
-
 #include "core/envelope/scene_symmetry.hpp"
 #include "core/gaussmap/outlines/resample_loop.hpp"
 #include "core/modeling/surfacing/mirrored.hpp"
@@ -14,9 +12,7 @@ namespace {
 Result<Source> source_across(const MeshSource& source, const MirrorPlane& plane) {
   PolygonMesh mesh = *source.mesh;
   for (Vector3& position : mesh.positions) position = plane.image(position);
-  for (std::size_t f = 0; f < mesh.face_count(); ++f)
-    std::reverse(mesh.face_vertices.begin() + static_cast<std::ptrdiff_t>(mesh.face_offsets[f]) + 1,
-                 mesh.face_vertices.begin() + static_cast<std::ptrdiff_t>(mesh.face_offsets[f + 1]));
+  reverse_faces(mesh);
   MeshSource out = source;
   out.origin = plane.image(source.origin);
   out.mesh = std::move(mesh);

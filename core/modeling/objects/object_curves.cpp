@@ -5,6 +5,7 @@
 #include <optional>
 #include <set>
 
+#include "core/base/index_list.hpp"
 #include "core/geometry/curve_places.hpp"
 #include "core/modeling/measuring/surface_curves.hpp"
 
@@ -121,8 +122,7 @@ Result<ObjectCurve> curve_of_loop(const Object& object, std::size_t loop) {
   HARIKO_ASSERT(object.outline() && loop < object.outline()->outline->loops.size(), "a loop of an outline");
   SampledCurve curve{object.outline()->outline->loops[loop].points, true};
   std::vector<Vector3>& points = curve.points;
-  points.erase(std::unique(points.begin(), points.end()), points.end());
-  while (points.size() > 1 && points.front() == points.back()) points.pop_back();
+  remove_repeats(points);
   if (points.size() < 3)
     return make_error(e_unfinished_curve, "The curve has too few points.", "Draw more points of it.",
                       element_of(object.id));
@@ -135,6 +135,23 @@ Result<ObjectCurve> curve_of_loop(const Object& object, std::size_t loop) {
     out.pieces.push_back(placed_piece(std::move(piece), object.transform));
   }
   return out;
+}
+
+std::optional<std::size_t> drawn_curve_count(const Object& object) {
+  if (object.skin()) return std::size_t(1);
+  if (const OutlineSource* source = object.outline()) return source->outline->loops.size();
+  return std::nullopt;
+}
+
+std::optional<std::size_t> drawn_curve_at(const Object& object, VertexId point) {
+  if (object.skin()) return std::size_t(0);
+  const OutlineSource* source = object.outline();
+  if (!source || point.value >= source->outline->point_count()) return std::nullopt;
+  return outline_point(*source->outline, point.value).loop;
+}
+
+Result<ObjectCurve> drawn_curve_of(const Object& object, std::size_t number) {
+  return object.skin() ? curve_of_path(object) : curve_of_loop(object, number);
 }
 
 }  // namespace hariko

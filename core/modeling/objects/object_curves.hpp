@@ -2,6 +2,7 @@
 
 // Curves of objects along which others are placed: chains of edges, paths of skins, loops of outlines.
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -34,5 +35,16 @@ Result<ObjectCurve> curve_of_path(const Object& object);
 /// A loop of an outline (asserted, and so is the loop), which is smooth where it turns by less than 30
 /// degrees at a point (`SampledCurve`). Error: E_UNFINISHED_CURVE (fewer than three points).
 Result<ObjectCurve> curve_of_loop(const Object& object, std::size_t loop);
+
+/// Number of curves that an object was drawn as: the path of a skin, or the loops of an outline. Nothing for
+/// other objects.
+std::optional<std::size_t> drawn_curve_count(const Object& object);
+
+/// The drawn curve to which a point of the object belongs, by its id in selections; nothing for points that
+/// it does not have.
+std::optional<std::size_t> drawn_curve_at(const Object& object, VertexId point);
+
+/// A drawn curve (asserted: below their number). Errors: those of `curve_of_path` and `curve_of_loop`.
+Result<ObjectCurve> drawn_curve_of(const Object& object, std::size_t number);
 
 }  // namespace hariko

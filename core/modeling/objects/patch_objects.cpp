@@ -112,6 +112,8 @@ Result<WeldedPatches> weld_patch_objects(const Document& document, std::span<con
         // exactly.
         for (Vector3& point : patch.points)
           point = from == base->transform ? Vector3(origin + point) : to.apply(from.apply(origin + point));
+        // Keeps the outside of a mirror image.
+        if (from.mirrors()) patch = flipped(patch);
         patches.push_back(std::move(patch));
       }
   }

@@ -43,7 +43,7 @@ Result<PlaneFrame> plane_through(const Vector3& zero, const Vector3& on_x, const
 }
 
 Result<PlaneFrame> plane_of_polygon(std::span<const Vector3> corners) {
-  constexpr double least_area = 1e-9;  // of the extent squared
+  constexpr double least_area = 1e-9;  // share of the extent squared
   if (corners.size() < 3) return points_in_line();
   double extent = 0;
   for (const Vector3& corner : corners) extent = std::max(extent, (corner - corners[0]).squaredNorm());

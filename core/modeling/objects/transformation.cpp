@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <numeric>
 
+#include "core/base/index_list.hpp"
 #include "core/document/edits/edits.hpp"
 #include "core/modeling/mesh_editor.hpp"
 
@@ -38,12 +38,10 @@ Eigen::Quaterniond quaternion(const Transformation& t) {
 
 Result<PolyhedronSource> stretched(const PolyhedronSource& source, const Matrix3& linear) {
   const Index count = source.polyhedron.vertex_count();
-  std::vector<Index> all(count);
-  std::iota(all.begin(), all.end(), Index(0));
   std::vector<Vector3> positions(count);
   for (Index v = 0; v < count; ++v)
     positions[v] = linear * (source.origin + source.polyhedron.position(v)) - source.origin;
-  auto moved = source.polyhedron.with_positions(all, positions);
+  auto moved = source.polyhedron.with_positions(ascending_indices(count), positions);
   if (!moved) return moved.error();
   PolyhedronSource result = source;
   result.polyhedron = std::move(moved).value();

@@ -120,16 +120,11 @@ class EdgeBevel {
   Fan fan_of(Index v) const {
     Fan fan;
     fan.closed = !mesh_.is_border_vertex(v);
-    const Index first = mesh_.outgoing(v);
-    for (Index h = first; h != no_index;) {
+    for (const Index h : mesh_.fan_corners(v)) {
       fan.edges.push_back({mesh_.edge(h), mesh_.target(h), bevelled_[mesh_.edge(h)] != 0});
       fan.corners.push_back(h);
-      const Index following = mesh_.rotate(h);
-      if (following == no_index) {
-        const Index last = mesh_.previous(h);
-        fan.edges.push_back({mesh_.edge(last), mesh_.origin(last), false});
-      }
-      h = following == first ? no_index : following;
+      const Index last = mesh_.previous(h);
+      if (mesh_.rotate(h) == no_index) fan.edges.push_back({mesh_.edge(last), mesh_.origin(last), false});
     }
     return fan;
   }

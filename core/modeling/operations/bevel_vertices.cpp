@@ -112,13 +112,7 @@ class VertexBevel {
 
   void close_cut(Index v) {
     std::vector<Index> edges;  // counter-clockwise
-    const Index first = mesh_.outgoing(v);
-    for (Index h = first; h != no_index;) {
-      edges.push_back(mesh_.edge(h));
-      const Index following = mesh_.rotate(h);
-      if (following == no_index) edges.push_back(mesh_.edge(mesh_.previous(h)));
-      h = following == first ? no_index : following;
-    }
+    for (const FanEnd& each : fan_ends(mesh_, v)) edges.push_back(mesh_.edge(each.end / 2));
     const bool closed = !mesh_.is_border_vertex(v);
     std::vector<VertexId> corners;
     for (std::size_t i = 0; i < edges.size(); ++i) {

@@ -22,13 +22,8 @@ Result<EditResult> delete_vertices(const PolyhedronSource& source, std::span<con
   if (!chosen) return chosen.error();
   const HalfEdgeMesh& mesh = source.polyhedron.topology();
   std::set<Index> faces;
-  for (const Index v : *chosen) {
-    const Index first = mesh.outgoing(v);
-    if (first == no_index) continue;
-    faces.insert(mesh.face(first));
-    for (Index h = mesh.rotate(first); h != no_index && h != first; h = mesh.rotate(h))
-      faces.insert(mesh.face(h));
-  }
+  for (const Index v : *chosen)
+    for (const Index h : mesh.fan_corners(v)) faces.insert(mesh.face(h));
   return without_faces(source, faces);
 }
 

@@ -132,9 +132,7 @@ Result<EditResult> dissolve_vertices(const PolyhedronSource& source, std::span<c
   // apart.
   for (const Index v : *chosen) {
     if (mesh.outgoing(v) == no_index || mesh.valence(v) == 2) continue;
-    const Index first = mesh.outgoing(v);
-    for (Index h = mesh.rotate(first); h != no_index && h != first; h = mesh.rotate(h))
-      groups.join(mesh.face(first), mesh.face(h));
+    for (const Index h : mesh.fan_corners(v)) groups.join(mesh.face(mesh.outgoing(v)), mesh.face(h));
   }
   if (auto failed = join_groups(source.polyhedron, groups, draft, selection)) return *std::move(failed);
   for (const Index v : *chosen) {

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/index_list.hpp"
 #include "core/modeling/mesh_editor.hpp"
 #include "core/modeling/operations/amount.hpp"
 #include "core/modeling/operations/face_geometry.hpp"
@@ -42,13 +43,12 @@ void carry_shaping(MeshEditor& draft, const Polyhedron& polyhedron, const Shapin
       if (!std::any_of(point.inner_edges.begin(), point.inner_edges.end(), creased)) continue;
       // Finds whether the crease comes from outside: the edges there run between `in` and `out`, outside the
       // region.
-      const Index first = mesh.outgoing(point.vertex);
       bool outside = false;
-      for (Index h = first; h != no_index && !outside;) {
+      for (const Index h : mesh.fan_corners(point.vertex)) {
         const Index e = mesh.edge(h);
         outside = creased(e) && e != mesh.edge(point.in) && e != mesh.edge(point.out) &&
                   std::find(point.inner_edges.begin(), point.inner_edges.end(), e) == point.inner_edges.end();
-        h = mesh.rotate(h) == first ? no_index : mesh.rotate(h);
+        if (outside) break;
       }
       if (outside) draft.shaping().crease.set(EdgeId::of(point.base, point.top), true);
     }
@@ -91,8 +91,7 @@ void turn_body(MeshEditor& draft, const Polyhedron& polyhedron, const Region& re
   for (const Index f : region.faces) body.push_back(polyhedron.face_id(f));
   for (const RimPoint& point : region.rim)
     for (const FaceId face : draft.faces_at(point.base)) body.push_back(face);
-  std::sort(body.begin(), body.end());
-  body.erase(std::unique(body.begin(), body.end()), body.end());
+  sort_unique(body);
   for (const FaceId face : body) turn_over(draft, face);
 }
 

@@ -12,12 +12,6 @@
 namespace hariko {
 namespace {
 
-std::vector<Vector3> corners_of(const Polyhedron& polyhedron, Index face) {
-  std::vector<Vector3> corners;
-  for (const Index v : polyhedron.topology().face_vertices(face)) corners.push_back(polyhedron.position(v));
-  return corners;
-}
-
 /// Half the largest coordinate extent of the corners from the first one; halved so that nothing overflows.
 double extent_of(const std::vector<Vector3>& corners) {
   double extent = 0;
@@ -80,7 +74,7 @@ Vector3 direction_of(const Vector3& vector) {
 }
 
 Vector3 face_normal(const Polyhedron& polyhedron, Index face) {
-  std::vector<Vector3> corners = corners_of(polyhedron, face);
+  std::vector<Vector3> corners = polyhedron.corners(face);
   const double extent = extent_of(corners);
   const Vector3 normal = scaled_normal(std::move(corners), extent);
   // Below this length the direction would be that of rounding errors.
@@ -89,11 +83,11 @@ Vector3 face_normal(const Polyhedron& polyhedron, Index face) {
 
 Vector3 mean_normal(const Polyhedron& polyhedron, std::span<const Index> faces) {
   double extent = 0;
-  for (const Index f : faces) extent = std::max(extent, extent_of(corners_of(polyhedron, f)));
+  for (const Index f : faces) extent = std::max(extent, extent_of(polyhedron.corners(f)));
   Vector3 sum = Vector3::Zero();
   double total = 0;
   for (const Index f : faces) {
-    const Vector3 normal = scaled_normal(corners_of(polyhedron, f), extent);
+    const Vector3 normal = scaled_normal(polyhedron.corners(f), extent);
     sum += normal;
     total += normal.norm();
   }
@@ -123,7 +117,7 @@ FaceId first_turned_face(const Polyhedron& before, const Polyhedron& after) {
 }
 
 Result<Vector3> star_centre(const Polyhedron& polyhedron, Index face) {
-  const std::vector<Vector3> corners = corners_of(polyhedron, face);
+  const std::vector<Vector3> corners = polyhedron.corners(face);
   Vector3 mean = Vector3::Zero();
   for (const Vector3& corner : corners) mean += corner / double(corners.size());
   if (classify_face(corners) == FaceShape::convex) return mean;

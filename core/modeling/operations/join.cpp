@@ -90,12 +90,18 @@ Result<EditResult> join(const PolyhedronSource& base, const PolyhedronSource& ad
 
 namespace {
 
-/// Joins what stands at the places of an object, from the place `first` on, to what is made of the base.
+/// Joins what stands at the places of an object, from the place `first` on, to what is made of the base. Of
+/// places that mirror, the source is reflected first, so that faces stay oriented outward.
 Result<Done> join_places(EditResult& all, const Object& base, const Object& object,
                          const PolyhedronSource& source, std::size_t first) {
   const std::vector<Similarity> places = places_of(object);
+  PolyhedronSource image = source;
+  if (std::ranges::any_of(places, &Similarity::mirrors)) image = mirror_object(source, Axis::x).source;
+  const Similarity back = base.transform.inverse();
   for (std::size_t k = first; k < places.size(); ++k) {
-    Result<EditResult> next = join(all.source, source, composed(base.transform.inverse(), places[k]));
+    const Similarity place = composed(back, places[k]);
+    Result<EditResult> next = place.mirrors() ? join(all.source, image, place_of_reflected(place, 0))
+                                              : join(all.source, source, place);
     if (!next) return next.error();
     all = std::move(next).value();
   }

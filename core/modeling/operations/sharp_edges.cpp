@@ -9,16 +9,6 @@
 
 namespace hariko {
 
-namespace {
-
-Vector3 area_normal(const Polyhedron& polyhedron, Index face) {
-  std::vector<Vector3> corners;
-  for (const Index v : polyhedron.topology().face_vertices(face)) corners.push_back(polyhedron.position(v));
-  return newell_normal(corners);
-}
-
-}  // namespace
-
 std::vector<EdgeId> folded_edges(const Polyhedron& polyhedron, double degrees) {
   const HalfEdgeMesh& mesh = polyhedron.topology();
   // Rounding of coordinates in a file must not decide edge by edge about an angle that equals the limit, as
@@ -26,7 +16,7 @@ std::vector<EdgeId> folded_edges(const Polyhedron& polyhedron, double degrees) {
   constexpr double tolerance = 0.01;  // degrees
   const double radians = (degrees + tolerance) * std::numbers::pi / 180;
   std::vector<Vector3> normals(mesh.face_count());
-  for (Index f = 0; f < mesh.face_count(); ++f) normals[f] = area_normal(polyhedron, f);
+  for (Index f = 0; f < mesh.face_count(); ++f) normals[f] = newell_normal(polyhedron.corners(f));
   std::vector<EdgeId> out;
   for (Index e = 0; e < mesh.edge_count(); ++e) {
     if (mesh.is_border_edge(e)) continue;

@@ -4,6 +4,8 @@
 #include <map>
 #include <utility>
 
+#include "core/base/index_list.hpp"
+
 namespace hariko {
 namespace {
 
@@ -85,8 +87,7 @@ class RegionFinder {
     for (const Index f : region.faces)
       for (const Index v : mesh_.face_vertices(f))
         if (!std::binary_search(rim.begin(), rim.end(), v)) all.push_back(v);
-    std::sort(all.begin(), all.end());
-    all.erase(std::unique(all.begin(), all.end()), all.end());
+    sort_unique(all);
     region.inner_vertices = std::move(all);
   }
 

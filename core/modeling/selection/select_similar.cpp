@@ -41,14 +41,8 @@ struct Plane {
   Vector3 normal, centre;
 };
 
-std::vector<Vector3> corners_of(const Polyhedron& polyhedron, Index f) {
-  std::vector<Vector3> corners;
-  for (const Index v : polyhedron.topology().face_vertices(f)) corners.push_back(polyhedron.position(v));
-  return corners;
-}
-
 Plane plane_of(const Polyhedron& polyhedron, Index f) {
-  const std::vector<Vector3> corners = corners_of(polyhedron, f);
+  const std::vector<Vector3> corners = polyhedron.corners(f);
   Vector3 centre = Vector3::Zero();
   for (const Vector3& p : corners) centre += p / static_cast<double>(corners.size());
   return {newell_normal(corners).stableNormalized(), centre};
@@ -135,7 +129,7 @@ std::set<FaceId> similar_faces(const PolyhedronSource& source, const std::set<Fa
     for (Index f = 0; f < polyhedron.face_count(); ++f)
       values[f] = likeness == FaceLikeness::side_count
                       ? polyhedron.topology().side_count(f)
-                      : newell_normal(corners_of(polyhedron, f)).stableNorm() / 2;
+                      : newell_normal(polyhedron.corners(f)).stableNorm() / 2;
     flags.faces = near_marked(values, flags.faces, tolerance, Scale::ratio);
     return flags.to_set(polyhedron).faces;
   }

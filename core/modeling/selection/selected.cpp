@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/base/index_list.hpp"
 #include "core/document/edits/edit_elements.hpp"
 #include "core/modeling/edit_result.hpp"
 
@@ -42,8 +43,7 @@ Result<std::vector<Index>> checked(const Polyhedron& polyhedron, std::span<const
     if (out[i] == no_index)
       return make_error(e_unknown_element, "The object has no such element.", "Select it again.",
                         element_of(ids[i]));
-  std::sort(out.begin(), out.end());
-  out.erase(std::unique(out.begin(), out.end()), out.end());
+  sort_unique(out);
   return out;
 }
 

@@ -35,8 +35,7 @@ class CutFinder {
       for (const Index f : previous_->concave) was_concave[f] = 1;
     for (Index f = 0; f < mesh_.face_count(); ++f) {
       if (mesh_.side_count(f) == 3 || (!was_concave[f] && !moved(f))) continue;
-      std::vector<Vector3> points;
-      for (const Index v : mesh_.face_vertices(f)) points.push_back(polyhedron_.position(v));
+      const std::vector<Vector3> points = polyhedron_.corners(f);
       if (classify_face(points) != FaceShape::concave) continue;
       concave.push_back(f);
       if (auto pieces = pieces_of(f, points)) take(cuts, {f, std::move(*pieces)});

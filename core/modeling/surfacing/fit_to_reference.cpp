@@ -47,7 +47,7 @@ std::vector<Vector2> cell_centres() {
 struct FitSample {
   Vector3 direction = Vector3::Zero();  ///< in which the distance grows
   double distance = 0;
-  double area = 0;  ///< that it stands for, in any unit; 0 where it does not count
+  double area = 0;  ///< area that it stands for, in any unit; 0 where it does not count
 };
 
 /// A polyhedron, what its surface is made of, and the samples of the faces in question, patch by patch.
@@ -110,7 +110,7 @@ class ReferenceFitter {
 
  private:
   struct Corner {
-    Index vertex = no_index;  ///< of the designer's polyhedron
+    Index vertex = no_index;  ///< vertex of the designer's polyhedron
     bool image = false;       ///< moves as its mirror image
   };
   Corner corner(const FitState& state, Index prepared) const;
@@ -133,7 +133,7 @@ class ReferenceFitter {
   std::vector<Vector2> parameters_;
   PolyhedronSurfacer surfacer_;
   SurfaceInputCache cache_;
-  std::vector<FaceShares> shares_;  ///< of the faces of this connectivity
+  std::vector<FaceShares> shares_;  ///< shares of this connectivity's faces
   std::shared_ptr<const HalfEdgeMesh> shared_by_;
 };
 

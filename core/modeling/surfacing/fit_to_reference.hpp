@@ -30,7 +30,7 @@ struct ReferenceDistance {
 struct ReferenceFit {
   PolyhedronSource source;
   ReferenceDistance before, after;
-  int steps = 0;  ///< that were made
+  int steps = 0;  ///< number of steps made
 };
 
 /// Moves vertices, unless they stay (`vertices_that_stay`), so that the surface round them is nearest to the

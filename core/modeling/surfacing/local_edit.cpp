@@ -4,6 +4,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 
+#include "core/base/index_list.hpp"
 #include "core/base/solvers/dense_solver.hpp"
 #include "core/document/edits/edits.hpp"
 #include "core/modeling/surfacing/surface_input.hpp"
@@ -14,15 +15,9 @@ namespace {
 
 /// The vertex's neighbours in the order of its fan: tangent bases mean the same for equal fans.
 std::vector<VertexId> fan_of(const Polyhedron& polyhedron, Index v) {
-  const HalfEdgeMesh& mesh = polyhedron.topology();
   std::vector<VertexId> out;
-  const Index first = mesh.outgoing(v);
-  for (Index h = first; h != no_index;) {
-    out.push_back(polyhedron.vertex_id(mesh.target(h)));
-    const Index following = mesh.rotate(h);
-    if (following == no_index) out.push_back(polyhedron.vertex_id(mesh.origin(mesh.previous(h))));
-    h = following == first ? no_index : following;
-  }
+  for (const FanEnd& each : fan_ends(polyhedron.topology(), v))
+    out.push_back(polyhedron.vertex_id(each.other));
   return out;
 }
 
@@ -41,13 +36,8 @@ std::vector<Vector3> nearest_basis(const HalfEdgeMesh& mesh, const VertexFrames&
           square(end.basis[a] - begin, end.basis[b] - begin) += end.c[a] * end.c[b];
     }
   };
-  const Index first = mesh.outgoing(v);
-  for (Index h = first; h != no_index;) {
-    add(equal.ends[2 * h], network.start[h]);
-    const Index following = mesh.rotate(h), last = mesh.previous(h);
-    if (following == no_index) add(equal.ends[2 * last + 1], network.end[last]);
-    h = following == first ? no_index : following;
-  }
+  for (const FanEnd& each : fan_ends(mesh, v))
+    add(equal.ends[each.end], (each.end % 2 == 0 ? network.start : network.end)[each.end / 2]);
   std::vector<Vector3> out(count);
   for (int axis = 0; axis < 3; ++axis) {
     const Eigen::VectorXd solved = solve_symmetric(square, Eigen::VectorXd(right.col(axis)));
@@ -64,15 +54,10 @@ std::vector<VertexId> vertices_around(const Polyhedron& polyhedron, std::span<co
   for (const VertexId id : vertices) {
     const Index v = polyhedron.find(id);
     if (v == no_index) continue;
-    const Index first = mesh.outgoing(v);
-    for (Index h = first; h != no_index;) {
+    for (const Index h : mesh.fan_corners(v))
       for (const Index corner : mesh.face_vertices(mesh.face(h))) out.push_back(polyhedron.vertex_id(corner));
-      const Index following = mesh.rotate(h);
-      h = following == first ? no_index : following;
-    }
   }
-  std::sort(out.begin(), out.end());
-  out.erase(std::unique(out.begin(), out.end()), out.end());
+  sort_unique(out);
   return out;
 }
 

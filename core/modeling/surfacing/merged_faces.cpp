@@ -30,11 +30,7 @@ class FaceMerger {
         shaping_(*source.shaping),
         most_sides_(most_sides(source.mode)),
         place_(polyhedron_.vertex_count(), no_index) {
-    for (Index f = 0; f < mesh_.face_count(); ++f) {
-      std::vector<Vector3> corners;
-      for (const Index v : mesh_.face_vertices(f)) corners.push_back(polyhedron_.position(v));
-      normals_.push_back(newell_normal(corners));
-    }
+    for (Index f = 0; f < mesh_.face_count(); ++f) normals_.push_back(newell_normal(polyhedron_.corners(f)));
   }
 
   std::vector<MergedFaces::Group> run() {
@@ -72,12 +68,9 @@ class FaceMerger {
 
   template <class Body>
   void for_edges(Index v, const Body& body) const {
-    const Index first = mesh_.outgoing(v);
-    for (Index h = first; h != no_index;) {
+    for (const Index h : mesh_.fan_corners(v)) {
       body(mesh_.edge(h));
-      const Index following = mesh_.rotate(h);
-      if (following == no_index) body(mesh_.edge(mesh_.previous(h)));
-      h = following == first ? no_index : following;
+      if (mesh_.rotate(h) == no_index) body(mesh_.edge(mesh_.previous(h)));
     }
   }
 

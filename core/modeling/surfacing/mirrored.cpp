@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/base/index_list.hpp"
 #include "core/modeling/shaping_cleanup.hpp"
 #include "core/network/kept_form.hpp"
 #include "core/network/vertex_frames.hpp"
@@ -59,13 +60,7 @@ class TangentReflector {
       rows.push_back(std::move(row));
       tangents.push_back(mirror_plane(axis_).image(tangent));
     };
-    const Index first = from_.outgoing(v);
-    for (Index h = first; h != no_index;) {
-      add(h, true);
-      const Index following = from_.rotate(h);
-      if (following == no_index) add(from_.previous(h), false);
-      h = following == first ? no_index : following;
-    }
+    for (const FanEnd& each : fan_ends(from_, v)) add(each.end / 2, each.end % 2 == 0);
     Eigen::MatrixXd system(rows.size(), count), right(rows.size(), 3);
     for (std::size_t i = 0; i < rows.size(); ++i) {
       system.row(static_cast<Eigen::Index>(i)) = rows[i];
@@ -136,9 +131,8 @@ class Whole {
 
   /// The whole at the present positions, with the connectivity of an earlier one.
   Result<MirroredPolyhedron> moved(const MirroredPolyhedron& previous) const {
-    std::vector<Index> vertices(count_);
-    for (Index v = 0; v < count_; ++v) vertices[v] = v;
-    Result<Polyhedron> polyhedron = previous.polyhedron.with_positions(vertices, positions());
+    Result<Polyhedron> polyhedron =
+        previous.polyhedron.with_positions(ascending_indices(count_), positions());
     if (!polyhedron) return polyhedron.error();
     Shaping whole = previous.half.shaping == half_.shaping ? previous.shaping : shaping(*polyhedron);
     return MirroredPolyhedron{*std::move(polyhedron), std::move(whole), origin_, previous.aliases, half_};

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/base/assert.hpp"
+#include "core/base/index_list.hpp"
 
 namespace hariko {
 
@@ -32,8 +33,7 @@ FacetSide facet_side(const std::array<Index, 3>& corners, Index triangle, std::u
 /// Numbers of the positions, with equal positions of a part under one number, so that facets without corners
 /// in common meet where their corners are equal.
 std::vector<Index> numbers_of_places(std::span<const Vector3> positions) {
-  std::vector<Index> order(positions.size()), out(positions.size());
-  for (Index i = 0; i < positions.size(); ++i) order[i] = i;
+  std::vector<Index> order = ascending_indices(positions.size()), out(positions.size());
   const auto key = [&](Index i) { return std::array{positions[i].x(), positions[i].y(), positions[i].z()}; };
   std::sort(order.begin(), order.end(),
             [&](Index a, Index b) { return std::pair(key(a), a) < std::pair(key(b), b); });

@@ -9,6 +9,7 @@
 
 #include "core/base/solvers/dense_solver.hpp"
 #include "core/document/edits/edit_elements.hpp"
+#include "core/geometry/curve_places.hpp"
 #include "core/modeling/surfacing/kept_tangents.hpp"
 #include "core/modeling/surfacing/surface_input.hpp"
 #include "core/network/vertex_frames.hpp"
@@ -59,9 +60,7 @@ std::array<Vector3, 2> plane_basis(const Vector3& normal) {
 /// vanishes.
 std::pair<Vector3, Vector3> fitted_cubic(const std::vector<Vector3>& points, const Vector3& first_normal,
                                          const Vector3& last_normal) {
-  std::vector<double> along{0};
-  for (std::size_t i = 1; i < points.size(); ++i)
-    along.push_back(along.back() + (points[i] - points[i - 1]).norm());
+  const std::vector<double> along = lengths_along(points);
   const Vector3 straight = (points.back() - points.front()) / 3;
   if (!(along.back() > 0) || first_normal.isZero(0) || last_normal.isZero(0)) return {straight, -straight};
   const auto at_first = plane_basis(first_normal), at_last = plane_basis(last_normal);
@@ -129,12 +128,7 @@ SurfaceForm::Sight SurfaceForm::sight(VertexId id) const {
   Sight out;
   out.vertex = input_.polyhedron.find(id);
   if (out.vertex == no_index) return out;
-  const Index first = mesh.outgoing(out.vertex);
-  for (Index h = first; h != no_index;) {
-    out.spots.push_back({mesh.face(h), charts_.corner[h]});
-    h = mesh.rotate(h);
-    if (h == first) break;
-  }
+  for (const Index h : mesh.fan_corners(out.vertex)) out.spots.push_back({mesh.face(h), charts_.corner[h]});
   return out;
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "core/base/index_list.hpp"
 #include "core/base/parallel.hpp"
 #include "core/base/solvers/conjugate_gradients.hpp"
 #include "core/patching/fair/fair_locals.hpp"
@@ -238,14 +239,8 @@ void FairSystem::right_side(Workspace& work, std::span<const QuarticPatch> base,
 FairSystem::Workspace FairSystem::make_workspace(const SolveOptions& options) const {
   const HalfEdgeMesh& mesh = this->mesh();
   Workspace work;
-  std::vector<Index> faces;
-  if (options.active_faces) {
-    faces = *options.active_faces;
-  } else {
-    faces.resize(mesh.face_count());
-    std::iota(faces.begin(), faces.end(), Index(0));
-  }
-  work.plan = sweeps_->plan(std::move(faces));
+  work.plan =
+      sweeps_->plan(options.active_faces ? *options.active_faces : ascending_indices(mesh.face_count()));
   std::vector<std::size_t> sides;
   for (const Index f : work.plan.faces) {
     work.add_chunks(numbering_.face_begin[f],

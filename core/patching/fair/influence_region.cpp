@@ -8,22 +8,17 @@ Neighbourhood neighbourhood(const HalfEdgeMesh& mesh, const std::vector<Index>& 
   for (const Index v : moved) vertex_in[v] = true;
   for (int ring = 0; ring < rings && !front.empty(); ++ring) {
     std::vector<Index> next;
-    for (const Index v : front) {
-      const Index first = mesh.outgoing(v);
-      for (Index h = first; h != no_index;) {
+    for (const Index v : front)
+      for (const Index h : mesh.fan_corners(v)) {
         const Index f = mesh.face(h);
-        if (!face_in[f]) {
-          face_in[f] = true;
-          for (const Index w : mesh.face_vertices(f))
-            if (!vertex_in[w]) {
-              vertex_in[w] = true;
-              next.push_back(w);
-            }
-        }
-        h = mesh.rotate(h);
-        if (h == first) break;
+        if (face_in[f]) continue;
+        face_in[f] = true;
+        for (const Index w : mesh.face_vertices(f))
+          if (!vertex_in[w]) {
+            vertex_in[w] = true;
+            next.push_back(w);
+          }
       }
-    }
     front = std::move(next);
   }
   Neighbourhood out;

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "core/base/assert.hpp"
+#include "core/base/index_list.hpp"
 #include "core/skinning/skin_messages.hpp"
 
 namespace hariko {
@@ -180,8 +181,7 @@ Result<std::vector<PointPair>> correspondence(int n, int m, bool closed, const P
                                               std::span<const PointPair> forced) {
   HARIKO_ASSERT(n >= 1 && m >= 1, "sections have points");
   std::vector<PointPair> pairs(forced.begin(), forced.end());
-  std::sort(pairs.begin(), pairs.end());
-  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+  sort_unique(pairs);
   for (const PointPair& p : pairs)
     HARIKO_ASSERT(p.a >= 0 && p.a < n && p.b >= 0 && p.b < m, "forced pairs are of points");
   if (closed && n > 1 && m > 1) return closed_lines(n, m, cost, pairs);

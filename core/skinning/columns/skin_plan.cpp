@@ -10,6 +10,7 @@
 #include <string>
 
 #include "core/base/ids.hpp"
+#include "core/base/index_list.hpp"
 #include "core/skinning/skin_messages.hpp"
 
 namespace hariko {
@@ -143,8 +144,7 @@ std::vector<int> indices(const SkinSection& section, const std::vector<std::uint
   std::vector<int> out;
   for (const std::uint32_t id : ids)
     if (const int i = find_point(section, id); i >= 0) out.push_back(i);
-  std::sort(out.begin(), out.end());
-  out.erase(std::unique(out.begin(), out.end()), out.end());
+  sort_unique(out);
   return out;
 }
 

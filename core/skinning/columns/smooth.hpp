@@ -19,7 +19,7 @@ class BlendWeights {
   std::vector<double> at(double v) const;
 
  private:
-  std::vector<double> knots_;  ///< when closed, ends with the first one again, a turn later
+  std::vector<double> knots_;  ///< ends with the first one again, a turn later, when closed
   std::size_t sections_;
   bool closed_;
   bool linear_;

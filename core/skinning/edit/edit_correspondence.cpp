@@ -4,19 +4,16 @@
 #include <map>
 #include <optional>
 
+#include "core/base/index_list.hpp"
 #include "core/skinning/columns/skin_plan.hpp"
+#include "core/skinning/edit/skin_edit.hpp"
 #include "core/skinning/skin_messages.hpp"
 
 namespace hariko {
 
-namespace {
+using detail::section_with;
 
-/// Index of the section that has a point; -1 when none has.
-int section_of(const Skin& skin, std::uint32_t point) {
-  for (int k = 0; k < skin.section_count(); ++k)
-    if (find_point(skin.sections[std::size_t(k)], point) >= 0) return k;
-  return -1;
-}
+namespace {
 
 std::uint32_t section_id(const Skin& skin, int k) {
   return skin.sections[std::size_t(k)].id;
@@ -178,7 +175,7 @@ Result<CorrespondenceEdit> join_points(const Skin& skin, std::span<const std::ui
   if (points.size() < 2) return not_neighbours();
   std::vector<SkinLink> links;
   for (std::size_t i = 0; i + 1 < points.size(); ++i) {
-    const int a = section_of(skin, points[i]), b = section_of(skin, points[i + 1]);
+    const int a = section_with(skin, points[i]), b = section_with(skin, points[i + 1]);
     if (a < 0 || b < 0) return gone();
     auto link = link_between(skin, a, {points[i]}, b, {points[i + 1]});
     if (!link) return link.error();
@@ -192,7 +189,7 @@ Result<CorrespondenceEdit> join_points(const Skin& skin, std::span<const std::ui
 Result<CorrespondenceEdit> group_points(const Skin& skin, std::span<const std::uint32_t> points) {
   std::map<int, std::vector<std::uint32_t>> groups;
   for (const std::uint32_t id : points) {
-    const int k = section_of(skin, id);
+    const int k = section_with(skin, id);
     if (k < 0) return gone();
     groups[k].push_back(id);
   }
@@ -221,10 +218,10 @@ Result<CorrespondenceEdit> group_points(const Skin& skin, std::span<const std::u
 
 Result<CorrespondenceEdit> merge_points(const Skin& skin, std::span<const std::uint32_t> members,
                                         std::uint32_t target, double v) {
-  const int other = section_of(skin, target), own = members.empty() ? -1 : section_of(skin, members[0]);
+  const int other = section_with(skin, target), own = members.empty() ? -1 : section_with(skin, members[0]);
   if (other < 0 || own < 0) return gone();
   for (const std::uint32_t id : members)
-    if (section_of(skin, id) != own) return not_neighbours();
+    if (section_with(skin, id) != own) return not_neighbours();
   const int strip = strip_of(skin, own, other);
   if (strip < 0) return not_neighbours();
   const bool a = strip == own;
@@ -249,17 +246,14 @@ Result<CorrespondenceEdit> move_link_end(const Skin& skin, std::uint32_t id, std
                                          std::uint32_t to) {
   const auto found = find_id(skin.links, id);
   if (found == skin.links.end()) return none();
-  if (section_of(skin, from) != section_of(skin, to)) return not_neighbours();
+  if (section_with(skin, from) != section_with(skin, to)) return not_neighbours();
   SkinLink link = *found;
   bool moved = false;
   for (auto* side : {&link.a, &link.b})
     for (std::uint32_t& point : *side)
       if (point == from) point = to, moved = true;
   if (!moved) return gone();
-  for (auto* side : {&link.a, &link.b}) {
-    std::sort(side->begin(), side->end());
-    side->erase(std::unique(side->begin(), side->end()), side->end());
-  }
+  for (auto* side : {&link.a, &link.b}) sort_unique(*side);
   Skin without = skin;
   without.links.erase(find_id(without.links, id));
   return with_id(commit(without, {link}, {}), id);
@@ -269,7 +263,7 @@ Result<CorrespondenceEdit> move_merge(const Skin& skin, std::uint32_t id, double
   const auto found = find_id(skin.merges, id);
   if (found == skin.merges.end()) return none();
   SkinMerge merge = *found;
-  if (section_of(skin, target) != section_of(skin, merge.target)) return not_neighbours();
+  if (section_with(skin, target) != section_with(skin, merge.target)) return not_neighbours();
   merge.v = v, merge.target = target;
   Skin without = skin;
   without.merges.erase(find_id(without.merges, id));
@@ -293,7 +287,7 @@ std::vector<std::uint32_t> points_from(const SkinSection& section, std::uint32_t
 /// Merge whose outermost member `from` is replaced by `to`.
 Result<CorrespondenceEdit> move_member(const Skin& skin, SkinMerge merge, std::uint32_t from,
                                        std::uint32_t to) {
-  const SkinSection& section = skin.sections[std::size_t(section_of(skin, from))];
+  const SkinSection& section = skin.sections[std::size_t(section_with(skin, from))];
   const auto row = row_of(section, merge.members);
   if (!row) return gone();
   if (from != row->front() && from != row->back())
@@ -309,9 +303,9 @@ Result<CorrespondenceEdit> move_member(const Skin& skin, SkinMerge merge, std::u
 
 Result<CorrespondenceEdit> move_line_end(const Skin& skin, std::uint32_t from, std::uint32_t other,
                                          std::uint32_t to) {
-  const int ka = section_of(skin, from), kb = section_of(skin, other);
-  if (ka < 0 || kb < 0 || section_of(skin, to) < 0) return gone();
-  if (section_of(skin, to) != ka || strip_of(skin, ka, kb) < 0) return not_neighbours();
+  const int ka = section_with(skin, from), kb = section_with(skin, other);
+  if (ka < 0 || kb < 0 || section_with(skin, to) < 0) return gone();
+  if (section_with(skin, to) != ka || strip_of(skin, ka, kb) < 0) return not_neighbours();
   if (from == to) return CorrespondenceEdit{skin, {}, {}};
   const int strip = strip_of(skin, ka, kb);
   const std::uint32_t first = strip == ka ? from : other, second = strip == ka ? other : from;
@@ -332,7 +326,7 @@ Result<CorrespondenceEdit> move_line_end(const Skin& skin, std::uint32_t from, s
 }
 
 Result<CorrespondenceEdit> lock_line(const Skin& skin, std::uint32_t a, std::uint32_t b) {
-  const int ka = section_of(skin, a), kb = section_of(skin, b);
+  const int ka = section_with(skin, a), kb = section_with(skin, b);
   const int strip = strip_of(skin, ka, kb);
   if (strip < 0) return not_neighbours();
   if (strip != ka) std::swap(a, b);

@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "core/geometry/rotation.hpp"
-#include "core/skinning/edit/parameter_after_deletion.hpp"
+#include "core/skinning/edit/skin_edit.hpp"
 #include "core/skinning/sections/skin_frames.hpp"
 #include "core/skinning/skin_messages.hpp"
 
@@ -147,11 +147,7 @@ Result<SkinEdit> insert_path_point(const Skin& skin, int span) {
     if (skin.second_rail->spans() != spans) return uneven_rails();
     rail = with_point_inserted(*skin.second_rail, span);
   }
-  const auto place = [&](double v) {
-    double x = v * spans;
-    if (x > span) x = x < span + 1 ? span + 2 * (x - span) : x + 1;
-    return x / (spans + 1);
-  };
+  const auto place = [&](double v) { return inserted_parameter(v, spans, span, false); };
   return with_path(skin, with_point_inserted(skin.path, span), rail, place,
                    [&](double) { return has_rails(skin); });
 }

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "core/base/ids.hpp"
-#include "core/skinning/edit/parameter_after_deletion.hpp"
+#include "core/skinning/edit/skin_edit.hpp"
 #include "core/skinning/skin_messages.hpp"
 
 namespace hariko {
@@ -30,14 +30,6 @@ void take_in(Skin& skin, std::uint32_t before, std::uint32_t after, std::uint32_
   };
   for (SkinLink& link : skin.links) extend(link.a), extend(link.b);
   for (SkinMerge& merge : skin.merges) extend(merge.members);
-}
-
-/// Maps a parameter after the insertion of a point in the middle of a span.
-double inserted_parameter(double u, int spans, int span, bool closed) {
-  const double turn = closed ? std::floor(u) : 0;
-  double x = (u - turn) * spans;
-  if (x > span) x = x < span + 1 ? span + 2 * (x - span) : x + 1;
-  return turn + x / (spans + 1);
 }
 
 Vector3 reflected(const Vector3& p, const Vector3& plane_point, const Vector3& unit_normal) {

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/geometry/curve_places.hpp"
+
 namespace hariko {
 
 namespace {
@@ -20,9 +22,7 @@ class DrawnLine {
     for (const Vector3& p : points)
       if (points_.empty() || (p - points_.back()).norm() > 0) points_.push_back(p);
     if (closed && points_.size() > 1) points_.push_back(points_.front());
-    at_.push_back(0);
-    for (std::size_t i = 1; i < points_.size(); ++i)
-      at_.push_back(at_.back() + (points_[i] - points_[i - 1]).norm());
+    at_ = lengths_along(points_);
   }
 
   double length() const { return at_.back(); }

@@ -1,6 +1,7 @@
 #include "core/skinning/edit/skin_edit.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/skinning/columns/skin_plan.hpp"
 #include "core/skinning/skin_messages.hpp"
@@ -77,6 +78,29 @@ void forget_section(Skin& skin, std::uint32_t section, std::vector<std::uint32_t
 void map_anchors(Skin& skin, int section, const std::function<double(double)>& map) {
   for (auto& row : skin.smooth.anchors)
     if (row.size() == skin.sections.size()) row[std::size_t(section)] = map(row[std::size_t(section)]);
+}
+
+double inserted_parameter(double u, int spans, int span, bool closed) {
+  const double turn = closed ? std::floor(u) : 0;
+  double x = (u - turn) * spans;
+  if (x > span) x = x < span + 1 ? span + 2 * (x - span) : x + 1;
+  return turn + x / (spans + 1);
+}
+
+double deleted_parameter(double u, int spans, int point, bool closed) {
+  const double turn = closed ? std::floor(u) : 0;
+  double x = (u - turn) * spans;
+  if (!closed && point == 0) {
+    x = std::max(x - 1, 0.0);
+  } else if (!closed && point == spans) {
+    x = std::min(x, double(spans - 1));
+  } else if (point == 0) {
+    if (x < 1) x += spans;
+    x = x <= spans - 1 ? x - 1 : spans - 2 + (x - (spans - 1)) / 2;
+  } else if (x > point - 1) {
+    x = x < point + 1 ? point - 1 + (x - (point - 1)) / 2 : x - 1;
+  }
+  return turn + x / (spans - 1);
 }
 
 Result<SkinEdit> accepted(const Skin& before, SkinEdit edit) {

@@ -39,6 +39,14 @@ void forget_section(Skin& skin, std::uint32_t section, std::vector<std::uint32_t
 /// Maps the parameters of all anchors on one section.
 void map_anchors(Skin& skin, int section, const std::function<double(double)>& map);
 
+/// Maps a parameter of a subdivision curve after the insertion of a control point in the middle of a span.
+/// `spans` is the number before. On closed curves whole turns are kept.
+double inserted_parameter(double u, int spans, int span, bool closed);
+/// Maps a parameter after the deletion of a control point: the two spans that met at it become one, later
+/// ones are renumbered. `spans` is the number before, at least 2. On closed curves whole turns are kept;
+/// where the first point is deleted, the seam moves to the next.
+double deleted_parameter(double u, int spans, int point, bool closed);
+
 /// Finishes an edit: removes links and merges that cross now, oldest first and locked ones last, and writes
 /// notes. An edit that breaks a valid skin is refused with the reason (an error of `plan_skin`); an invalid
 /// skin may be edited, so that it can be repaired.

@@ -17,12 +17,8 @@ Message cancelled_search() {
 
 }  // namespace
 
-double search_tolerance(const FacetGraph& graph, const std::vector<FacetCorners>& shapes) {
-  double longest = 0;
-  for (Index f = 0; f < graph.facet_count(); ++f)
-    for (std::size_t k = 0; k < 3; ++k)
-      longest = std::max(longest, (shapes[f][(k + 1) % 3] - shapes[f][k]).norm());
-  return 0.5 * overlap_tolerance * longest;
+double search_tolerance(const std::vector<FacetCorners>& shapes) {
+  return 0.5 * overlap_tolerance * longest_side(shapes);
 }
 
 std::size_t piece_count(const FacetGraph& graph, const Folds& folds) {
@@ -32,7 +28,7 @@ std::size_t piece_count(const FacetGraph& graph, const Folds& folds) {
 Result<std::vector<Folds>> search_cuts(const FacetGraph& graph, const std::vector<FacetCorners>& shapes,
                                        const EdgeRules& rules, const CutSearch& search,
                                        const CancelToken& cancel, const Progress& progress) {
-  const double tolerance = search_tolerance(graph, shapes);
+  const double tolerance = search_tolerance(shapes);
   std::optional<FacetForest> best;
   std::vector<Folds> out;
   const auto consider = [&](auto&& start, const Growth& growth) {
@@ -73,7 +69,7 @@ EdgeRules settled_rules(const FacetGraph& graph, const std::vector<FacetCorners>
   for (Index e = 0; e < graph.edge_count(); ++e)
     if (graph.edge(e).inner) out[e] = EdgeRule::folded;
   const EdgeRules given = out;
-  FacetForest forest(graph, shapes, given, search_tolerance(graph, shapes), room);
+  FacetForest forest(graph, shapes, given, search_tolerance(shapes), room);
   for (Index f = 0; f < graph.facet_count(); ++f)
     if (!forest.placed(f)) forest.plant(f);
   const auto fold = [&](Index e) {

@@ -34,7 +34,7 @@ EdgeRules settled_rules(const FacetGraph& graph, const std::vector<FacetCorners>
 
 /// Tolerance of the search's overlap test, in the unit of the shapes: half of the final one, so that rounding
 /// when a piece is moved does not matter.
-double search_tolerance(const FacetGraph& graph, const std::vector<FacetCorners>& shapes);
+double search_tolerance(const std::vector<FacetCorners>& shapes);
 
 /// Number of pieces for given folds. O(edges).
 std::size_t piece_count(const FacetGraph& graph, const Folds& folds);

@@ -4,16 +4,6 @@
 
 namespace hariko {
 
-namespace {
-
-double longest_side(const FacetCorners& shape) {
-  double out = 0;
-  for (std::size_t k = 0; k < 3; ++k) out = std::max(out, (shape[(k + 1) % 3] - shape[k]).norm());
-  return out;
-}
-
-}  // namespace
-
 FacetGrid::FacetGrid(const std::vector<FacetCorners>& shapes) : seen_(shapes.size(), 0) {
   double sum = 0;
   for (const FacetCorners& shape : shapes) sum += longest_side(shape);

@@ -1,6 +1,7 @@
 #include "core/unfolding/cuts/facet_layout.hpp"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <complex>
 
 namespace hariko {
@@ -14,6 +15,18 @@ Complex complex_of(const Vector2& v) {
 }
 
 }  // namespace
+
+double longest_side(const FacetCorners& shape) {
+  double out = 0;
+  for (std::size_t k = 0; k < 3; ++k) out = std::max(out, (shape[(k + 1) % 3] - shape[k]).norm());
+  return out;
+}
+
+double longest_side(std::span<const FacetCorners> shapes) {
+  double out = 0;
+  for (const FacetCorners& shape : shapes) out = std::max(out, longest_side(shape));
+  return out;
+}
 
 std::vector<FacetCorners> facet_shapes(const FacetGraph& graph, double scale) {
   std::vector<FacetCorners> out(graph.facet_count());

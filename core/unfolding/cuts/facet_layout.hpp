@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "core/base/vector.hpp"
@@ -13,6 +14,9 @@ namespace hariko {
 
 /// Corners of a facet in the plane, in the mesh's order, counter-clockwise seen from outside.
 using FacetCorners = std::array<Vector2, 3>;
+/// Longest side of a shape, or of all shapes; zero where there are none.
+double longest_side(const FacetCorners& shape);
+double longest_side(std::span<const FacetCorners> shapes);
 
 /// Shape of each facet: corner 0 at the origin, corner 1 on the x axis, lengths times `scale`. O(facets).
 std::vector<FacetCorners> facet_shapes(const FacetGraph& graph, double scale);

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <queue>
 #include <tuple>
 
+#include "core/base/index_list.hpp"
 #include "core/unfolding/cuts/random_sequence.hpp"
 
 namespace hariko {
@@ -90,10 +90,7 @@ std::vector<Index> edges_in_order(const FacetGraph& graph, const Growth& growth)
     if (growth.order == GrowthOrder::flat_edges) rank[e] = std::abs(graph.edge(e).fold_angle);
     if (growth.order == GrowthOrder::shuffled) rank[e] = random.unit();
   }
-  std::vector<Index> order(rank.size());
-  std::iota(order.begin(), order.end(), Index{0});
-  std::stable_sort(order.begin(), order.end(), [&](Index a, Index b) { return rank[a] < rank[b]; });
-  return order;
+  return stable_order(rank.size(), [&](Index a, Index b) { return rank[a] < rank[b]; });
 }
 
 }  // namespace

@@ -129,16 +129,6 @@ Folds unfold_over(const FacetGraph& graph, const std::vector<std::uint8_t>& cuts
   return folds;
 }
 
-std::vector<Index> vertices_needing_two_cuts(const FacetGraph& graph) {
-  std::vector<double> sum(graph.positions().size(), 0);
-  for (Index f = 0; f < graph.facet_count(); ++f)
-    for (Index k = 0; k < 3; ++k) sum[graph.triangle(f)[k]] += corner_angle(graph, f, k);
-  std::vector<Index> out;
-  for (Index v = 0; v < sum.size(); ++v)
-    if (sum[v] > 2 * pi + 1e-9) out.push_back(v);
-  return out;
-}
-
 bool tip_would_overlap(const FacetGraph& graph, const std::vector<std::uint8_t>& cuts, Index edge,
                        Index tip) {
   const FacetEdge& cut = graph.edge(edge);
@@ -151,9 +141,7 @@ bool tip_would_overlap(const FacetGraph& graph, const std::vector<std::uint8_t>&
 Result<ReferenceUnfolding> reference_unfolding(const FacetGraph& graph,
                                                const std::vector<FacetCorners>& shapes,
                                                const CancelToken& cancel) {
-  double longest = 0;
-  for (const FacetCorners& shape : shapes)
-    for (std::size_t k = 0; k < 3; ++k) longest = std::max(longest, (shape[(k + 1) % 3] - shape[k]).norm());
+  const double longest = longest_side(shapes);
   std::vector<std::uint8_t> cuts = initial_cuts(graph);
   ReferenceUnfolding best;
   for (int round = 0;; ++round) {

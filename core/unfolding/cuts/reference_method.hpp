@@ -19,10 +19,6 @@ std::vector<std::uint8_t> initial_cuts(const FacetGraph& graph);
 /// crossed become cuts too.
 Folds unfold_over(const FacetGraph& graph, const std::vector<std::uint8_t>& cuts);
 
-/// Vertices that need at least two cuts (section 5.2, case 1): inner vertices with an angle sum above 2 pi;
-/// border vertices with such a sum need at least one. Ascending.
-std::vector<Index> vertices_needing_two_cuts(const FacetGraph& graph);
-
 /// Heuristic for overlap at the end `tip` of a cut, at an inner edge (section 5.2, case 2): theta1 - pi > 2
 /// (2 pi - theta2), with the angle sums theta2 at the tip and theta1 at the other end on the side of the
 /// edge's first facet, up to the next cut or all round. The paper's figure is lost, so it serves only to

@@ -8,6 +8,7 @@
 #include <optional>
 #include <tuple>
 
+#include "core/base/index_list.hpp"
 #include "core/unfolding/cuts/best_rotation.hpp"
 #include "core/unfolding/cuts/random_sequence.hpp"
 
@@ -154,10 +155,7 @@ class Packer {
   std::vector<Index> by_size() const {
     std::vector<double> size(items_.size(), 0);
     for (std::size_t k = 0; k < items_.size(); ++k) size[k] = area_of(items_[k]);
-    std::vector<Index> order(items_.size());
-    std::iota(order.begin(), order.end(), Index{0});
-    std::stable_sort(order.begin(), order.end(), [&](Index a, Index b) { return size[a] > size[b]; });
-    return order;
+    return stable_order(items_.size(), [&](Index a, Index b) { return size[a] > size[b]; });
   }
 
  private:
@@ -386,10 +384,9 @@ Packing pack_pages(const std::vector<PackItem>& items, const PackOptions& option
     std::vector<double> rank(order.size());
     for (std::size_t i = 0; i < rank.size(); ++i)
       rank[i] = double(i) + (0.1 + 0.1 * (k % 4)) * double(rank.size()) * random.unit();
-    std::vector<Index> places(order.size()), shuffled;
-    std::iota(places.begin(), places.end(), Index{0});
-    std::stable_sort(places.begin(), places.end(), [&](Index a, Index b) { return rank[a] < rank[b]; });
-    for (const Index place : places) shuffled.push_back(order[place]);
+    const auto by_rank = [&](Index a, Index b) { return rank[a] < rank[b]; };
+    std::vector<Index> shuffled;
+    for (const Index place : stable_order(order.size(), by_rank)) shuffled.push_back(order[place]);
     Packing next = packer.pack(shuffled, cancel);
     if (next.page_count < best.page_count) best = std::move(next);
   }

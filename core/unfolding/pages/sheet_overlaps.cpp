@@ -1,9 +1,9 @@
 #include "core/unfolding/pages/sheet_overlaps.hpp"
 
 #include <algorithm>
-#include <numeric>
 #include <tuple>
 
+#include "core/base/index_list.hpp"
 #include "core/unfolding/cuts/convex_overlap.hpp"
 
 namespace hariko {
@@ -27,8 +27,7 @@ std::vector<std::pair<Index, Index>> overlapping_pairs(std::span<const SheetPoly
   std::vector<PolygonBox> boxes;
   boxes.reserve(polygons.size());
   for (const SheetPolygon& polygon : polygons) boxes.emplace_back(polygon);
-  std::vector<Index> order(polygons.size());
-  std::iota(order.begin(), order.end(), Index{0});
+  std::vector<Index> order = ascending_indices(polygons.size());
   std::sort(order.begin(), order.end(), [&](Index a, Index b) {
     return std::tuple(polygons[a].sheet, boxes[a].low.x(), a) <
            std::tuple(polygons[b].sheet, boxes[b].low.x(), b);

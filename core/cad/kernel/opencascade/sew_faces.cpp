@@ -138,7 +138,7 @@ class LooseFaces {
   }
 
   std::vector<TopoDS_Shape> shapes_;
-  std::vector<CadColour> colours_;  ///< of the shapes
+  std::vector<CadColour> colours_;  ///< one for each shape
   std::string name_;
 };
 
