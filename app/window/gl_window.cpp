@@ -62,6 +62,13 @@ std::string& last_glfw_error() {
   return text;
 }
 
+static_assert(GLFW_KEY_LEFT_BRACKET == int(Key::left_bracket) && GLFW_KEY_Z == int(Key::z) &&
+              GLFW_KEY_ESCAPE == int(Key::escape) && GLFW_KEY_DELETE == int(Key::delete_forward) &&
+              GLFW_KEY_UP == int(Key::up) && GLFW_KEY_END == int(Key::end) &&
+              GLFW_KEY_PAUSE == int(Key::pause) && GLFW_KEY_F12 == int(Key::f12) &&
+              GLFW_KEY_F25 == int(Key::f25) && GLFW_KEY_KP_9 == int(Key::keypad_9) &&
+              GLFW_KEY_KP_ENTER == int(Key::keypad_enter) && GLFW_KEY_MENU == int(Key::menu));
+
 /// Key code by the printed letter. GLFW names keys by their places on an American keyboard, but shortcuts
 /// mean the layout's letters: Ctrl+Z is where the layout has its Z.
 int letter_of(int key, int scancode) {
@@ -70,7 +77,7 @@ int letter_of(int key, int scancode) {
   const char* name = glfwGetKeyName(key, scancode);
   if (!name || name[0] == 0 || name[1] != 0 || (name[0] >= '0' && name[0] <= '9')) return key;
   const int upper = name[0] >= 'a' && name[0] <= 'z' ? name[0] - 'a' + 'A' : name[0];
-  return KeyChord{upper}.is_known() ? upper : key;
+  return KeyChord{Key{upper}}.is_known() ? upper : key;
 }
 
 /// OpenGL version of a context without requirements, "OpenGL 2.1 (NVIDIA ...)", for messages; empty for none.
@@ -279,7 +286,7 @@ void GlWindow::deliver(const InputEvent& event) {
                                  event.modifiers);
       // The desktop's key (Super) forms no shortcuts of this program.
       if (event.down && (event.modifiers & GLFW_MOD_SUPER) == 0)
-        s.keys.push_back({{event.meant, (event.modifiers & GLFW_MOD_CONTROL) != 0,
+        s.keys.push_back({{Key{event.meant}, (event.modifiers & GLFW_MOD_CONTROL) != 0,
                            (event.modifiers & GLFW_MOD_SHIFT) != 0, (event.modifiers & GLFW_MOD_ALT) != 0}});
       break;
     case Kind::text:

@@ -65,7 +65,7 @@ TEST(KnifeTool, SnapsToVerticesAndWithControlToMiddles) {
   Rig rig = grid_rig(4);
   click(rig, rig.pixel({0, 0, 0}) + Vector2(4, -3));
   click(rig, rig.pixel({4, 4, 0}) + Vector2(-3, 2));
-  rig.key(GLFW_KEY_SPACE, false, U' ');
+  rig.key(Key::space, false, U' ');
   EXPECT_EQ(rig.tool, nullptr);
   EXPECT_EQ(rig.source().polyhedron.vertex_count(), 25U) << "the diagonal runs through vertices";
   EXPECT_EQ(rig.source().polyhedron.face_count(), 20U);
@@ -85,7 +85,7 @@ TEST(KnifeTool, BackspaceTakesPointsBackAndEscLeavesNothing) {
   click(rig, rig.pixel({0, 0, 0}));
   click(rig, rig.pixel({1, 1, 0}));
   click(rig, rig.pixel({2, 1, 0}));
-  rig.key(GLFW_KEY_BACKSPACE);
+  rig.key(Key::backspace);
   click(rig, rig.pixel({0, 2, 0}));
   rig.enter();
   EXPECT_EQ(rig.source().polyhedron.face_count(), 11U);
@@ -152,7 +152,7 @@ TEST(KnifeTool, RandomPathsOnRandomPolyhedra) {
                                 ? Vector2(test::uniform(rng, 0, 800), test::uniform(rng, 0, 600))
                                 : rig.pixel(at);
       click(rig, pixel, test::chance(rng, 0.2));
-      if (test::chance(rng, 0.1)) rig.key(GLFW_KEY_BACKSPACE);
+      if (test::chance(rng, 0.1)) rig.key(Key::backspace);
     }
     rig.enter();
     if (rig.tool) {

@@ -121,7 +121,7 @@ TEST(RegionTool, SkinsAreTakenByTheirPointsAndWholeByTheirCurves) {
   // Together they move as one.
   editor.mode = ElementMode::vertex;
   rig.start(make_transform_tool(TransformKind::move));
-  rig.key(GLFW_KEY_X);
+  rig.key(Key::x);
   rig.type("3");
   rig.enter();
   EXPECT_EQ(rig.skin().path.points[2], Vector3(3, 0, 2));

@@ -243,14 +243,14 @@ TEST(CorrespondTool, EndsOfLinesAreDraggedToOtherPoints) {
   ASSERT_EQ(rig.skin().links.size(), 1U);
   EXPECT_EQ(rig.skin().links[0].a, Ids{4});
   // Each drag is one step, which the tool undoes.
-  rig.key(GLFW_KEY_Z);
+  rig.key(Key::z);
   EXPECT_EQ(rig.editor.history.position(), 2U) << "without Ctrl";
   ToolContext context = rig.context();
-  rig.tool->key(context, {{GLFW_KEY_Z, true, false, false}, 0});
-  rig.tool->key(context, {{GLFW_KEY_Z, true, false, false}, 0});
+  rig.tool->key(context, {{Key::z, true, false, false}, 0});
+  rig.tool->key(context, {{Key::z, true, false, false}, 0});
   EXPECT_EQ(rig.editor.history.position(), 0U);
   EXPECT_TRUE(rig.skin().links.empty());
-  rig.tool->key(context, {{GLFW_KEY_Y, true, false, false}, 0});
+  rig.tool->key(context, {{Key::y, true, false, false}, 0});
   EXPECT_EQ(rig.editor.history.position(), 1U);
 }
 
@@ -391,7 +391,7 @@ TEST(DrawSkinTool, DrawsAPathAndTwoSections) {
   rig.wait();
   for (const auto& p : {Vector2(250, 380), Vector2(400, 300), Vector2(550, 380)}) rig.click(p);
   // Backspace takes the last point, then it is drawn anew.
-  rig.key(GLFW_KEY_BACKSPACE);
+  rig.key(Key::backspace);
   rig.click({560, 380});
   rig.enter();
   ASSERT_EQ(rig.tool, nullptr);

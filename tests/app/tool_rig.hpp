@@ -2,7 +2,6 @@
 
 // Rig of the tests of tools: an editor without a window, and a tool driven as the viewport drives it.
 
-#include <GLFW/glfw3.h>
 #include <gtest/gtest.h>
 
 #include "core/document/edits/edits.hpp"
@@ -91,19 +90,19 @@ struct Rig {
   void move(const Vector2& pixel, bool shift = false, bool control = false) {
     send(PointerEvent::Kind::move, pixel, shift, control);
   }
-  void key(int code, bool shift = false, char32_t text = 0) {
+  void key(Key key, bool shift = false, char32_t text = 0) {
     ASSERT_NE(tool, nullptr);
     ToolContext now = context();
-    const auto state = tool->key(now, {{code, false, shift, false}, text});
+    const auto state = tool->key(now, {{key, false, shift, false}, text});
     if (state) handle(*state);
   }
   void type(std::string_view text) {
     for (const char c : text) {
       const int code = c >= 'a' && c <= 'z' ? c - 'a' + 'A' : c;
-      key(code, false, static_cast<char32_t>(c));
+      key(Key{code}, false, static_cast<char32_t>(c));
     }
   }
-  void enter() { key(GLFW_KEY_ENTER); }
+  void enter() { key(Key::enter); }
   void escape() {
     ToolContext now = context();
     tool->cancel(now);

@@ -17,7 +17,7 @@ TEST(TransformTool, TypedMovesAreExact) {
   rig.choose({5, 6});
   const Selection chosen = rig.editor.selection;
   rig.start(make_transform_tool(TransformKind::move));
-  rig.key(GLFW_KEY_X);
+  rig.key(Key::x);
   rig.type("10");
   EXPECT_EQ(rig.place({5}), Vector3(11, -1, 1)) << "shown while typing";
   EXPECT_FALSE(rig.editor.history.can_undo());
@@ -64,28 +64,28 @@ TEST(TransformTool, UnitsExpressionsAndFields) {
   rig.choose({0});
   rig.start(make_transform_tool(TransformKind::move));
   rig.type("1cm+2");
-  rig.key(GLFW_KEY_TAB);
+  rig.key(Key::tab);
   rig.type("-1/2");
-  rig.key(GLFW_KEY_TAB);
+  rig.key(Key::tab);
   rig.type("37");
-  rig.key(GLFW_KEY_BACKSPACE);
+  rig.key(Key::backspace);
   rig.enter();
   EXPECT_EQ(rig.place({0}), Vector3(11, -1.5, 2));
   rig.choose({0});
   rig.start(make_transform_tool(TransformKind::move));
-  rig.key(GLFW_KEY_Z, true);  // the plane across z
+  rig.key(Key::z, true);  // the plane across z
   rig.type("1");
-  rig.key(GLFW_KEY_TAB);
+  rig.key(Key::tab);
   rig.type("2");
   rig.enter();
   EXPECT_EQ(rig.place({0}), Vector3(12, 0.5, 2));
   rig.start(make_transform_tool(TransformKind::move));
-  rig.key(GLFW_KEY_Z);
+  rig.key(Key::z);
   rig.type("3+");
   rig.enter();
   ASSERT_NE(rig.tool, nullptr) << "half an expression is not taken for a number";
   rig.type("1");
-  rig.key(GLFW_KEY_Y, false, U'y');  // the axis may be chosen after the number
+  rig.key(Key::y, false, U'y');  // the axis may be chosen after the number
   rig.enter();
   EXPECT_EQ(rig.place({0}), Vector3(12, 4.5, 2));
 }
@@ -94,7 +94,7 @@ TEST(TransformTool, QuarterTurnsAndScalesAreExact) {
   Rig rig;
   rig.choose({4, 5, 6, 7});  // the top, round (0, 0, 1)
   rig.start(make_transform_tool(TransformKind::rotate));
-  rig.key(GLFW_KEY_Z);
+  rig.key(Key::z);
   rig.type("90");
   rig.enter();
   EXPECT_EQ(rig.place({5}), Vector3(1, 1, 1));
@@ -104,12 +104,12 @@ TEST(TransformTool, QuarterTurnsAndScalesAreExact) {
   rig.enter();
   EXPECT_EQ(rig.place({5}), Vector3(2, 2, 1));
   rig.start(make_transform_tool(TransformKind::scale));
-  rig.key(GLFW_KEY_X);
+  rig.key(Key::x);
   rig.type(".5");
   rig.enter();
   EXPECT_EQ(rig.place({5}), Vector3(1, 2, 1));
   rig.start(make_transform_tool(TransformKind::scale));
-  rig.key(GLFW_KEY_X, true);  // all but x
+  rig.key(Key::x, true);  // all but x
   rig.type("3");
   rig.enter();
   EXPECT_EQ(rig.place({5}), Vector3(1, 6, 1));
@@ -128,7 +128,7 @@ TEST(TransformTool, LocksAreExactAndEscRestores) {
     const bool plane = test::chance(rng, 0.5);
     rig.start(make_transform_tool(TransformKind::move));
     rig.move({test::uniform(rng, 0, 800), test::uniform(rng, 0, 600)});
-    rig.key(GLFW_KEY_X + axis, plane);
+    rig.key(Key::x + axis, plane);
     for (int i = 0; i < 5; ++i) {
       rig.move({test::uniform(rng, 0, 800), test::uniform(rng, 0, 600)}, test::chance(rng, 0.3),
                test::chance(rng, 0.3));
@@ -158,11 +158,11 @@ TEST(TransformTool, ThirdPressOfAnAxisFreesAndSecondIsLocal) {
   rig.choose({6});
   const Vector3 before = rig.place({6});
   rig.start(make_transform_tool(TransformKind::move));
-  rig.key(GLFW_KEY_X);
-  rig.key(GLFW_KEY_X);
+  rig.key(Key::x);
+  rig.key(Key::x);
   rig.type("3");
   EXPECT_LT((rig.place({6}) - before - Vector3(0, 3, 0)).norm(), 1e-12) << "the object's x is the world's y";
-  rig.key(GLFW_KEY_X);
+  rig.key(Key::x);
   EXPECT_LT((rig.place({6}) - before - Vector3(3, 0, 0)).norm(), 1e-12);
   rig.escape();
 }
@@ -192,18 +192,18 @@ TEST(TransformTool, SnapsOntoVerticesMidpointsAndTheGrid) {
   rig.move(rig.pixel({0, -1, 1}) + Vector2(-2, 1), false, true);
   EXPECT_LT((rig.place({6}) - Vector3(0, -1, 1)).norm(), 1e-12);
   // Locked to an axis it goes as far as the target does.
-  rig.key(GLFW_KEY_Y);
+  rig.key(Key::y);
   rig.move(rig.pixel({1, -1, -1}), false, true);
   EXPECT_EQ(rig.place({6}), Vector3(1, -1, 1));
-  rig.key(GLFW_KEY_Y);
-  rig.key(GLFW_KEY_Y);
+  rig.key(Key::y);
+  rig.key(Key::y);
   rig.move(rig.pixel({2.31, 2.02, 0.9}), false, true);
   const DecimalStep step = grid_step(rig.context(), {1, 1, 1});
   for (const double x : rig.place({6})) EXPECT_NEAR(x, step.nearest(x), 1e-12);
   rig.escape();
   rig.choose({4, 5, 6, 7});
   rig.start(make_transform_tool(TransformKind::rotate), {500, 300});
-  rig.key(GLFW_KEY_Z);
+  rig.key(Key::z);
   rig.move({490, 340}, false, true);
   const double degrees = std::atan2(rig.place({6}).y(), rig.place({6}).x()) * 180 / M_PI - 45;
   EXPECT_NEAR(degrees, std::round(degrees / 15) * 15, 1e-9);
@@ -240,7 +240,7 @@ TEST(TransformTool, SoftSelectionFallsOffWithTheDistance) {
   rig.choose({40});  // the middle, (4, 4)
   rig.editor.transform.soft = {true, 3, Falloff::linear};
   rig.start(make_transform_tool(TransformKind::move));
-  rig.key(GLFW_KEY_Z);
+  rig.key(Key::z);
   rig.type("3");
   EXPECT_EQ(rig.place({40}).z(), 3);
   EXPECT_NEAR(rig.place({41}).z(), 2, 1e-12);
@@ -250,7 +250,7 @@ TEST(TransformTool, SoftSelectionFallsOffWithTheDistance) {
   ToolContext now = rig.context();
   EXPECT_TRUE(rig.tool->wheel(now, -100, {})) << "the wheel changes the radius";
   EXPECT_EQ(rig.place({41}).z(), 0) << "what does not follow any more goes back";
-  rig.key(GLFW_KEY_O);
+  rig.key(Key::o);
   EXPECT_FALSE(rig.editor.transform.soft.on);
   rig.enter();
   EXPECT_EQ(rig.place({40}).z(), 3);
@@ -270,7 +270,7 @@ TEST(TransformTool, SoftSelectionFollowsAlongOutlines) {
   rig.choose({2});
   rig.editor.transform.soft = {true, 3, Falloff::linear};
   rig.start(make_transform_tool(TransformKind::move));
-  rig.key(GLFW_KEY_Z);
+  rig.key(Key::z);
   rig.type("3");
   rig.enter();
   const auto height = [&](std::size_t point) {
@@ -292,12 +292,12 @@ TEST(TransformTool, WholeObjectsKeepTheirShapeUnlessStretched) {
   rig.editor.selection.select({id, element_of(id)}, Selection::How::replace);
   const PolyhedronSource before = rig.source();
   rig.start(make_transform_tool(TransformKind::rotate));
-  rig.key(GLFW_KEY_Z);
+  rig.key(Key::z);
   rig.type("30");
   rig.enter();
   EXPECT_EQ(rig.editor.history.undo_label(), "Rotate object");
   rig.start(make_transform_tool(TransformKind::move));
-  rig.key(GLFW_KEY_X);
+  rig.key(Key::x);
   rig.type("5");
   rig.enter();
   rig.start(make_transform_tool(TransformKind::scale));
@@ -309,7 +309,7 @@ TEST(TransformTool, WholeObjectsKeepTheirShapeUnlessStretched) {
   const Vector3 corner = rig.place({6});
   EXPECT_NEAR((corner - centre).norm(), 2 * std::sqrt(3.0), 1e-12);
   rig.start(make_transform_tool(TransformKind::scale));
-  rig.key(GLFW_KEY_X);
+  rig.key(Key::x);
   rig.type("-2");
   rig.enter();
   EXPECT_LT((rig.place({6}) - Vector3(5 - 2 * (corner.x() - 5), corner.y(), corner.z())).norm(), 1e-9);

@@ -143,6 +143,9 @@ std::optional<std::string> violation(const std::string& file, const std::string&
     return "app/commands/command_line is the only folder that knows CLI11";
   if (begins_with_any(target, {"tbb/", "oneapi/"}) && file != "core/base/parallel.cpp")
     return "core/base/parallel.cpp is the only door to the thread library";
+  if (target.starts_with("GLFW/") && (file.starts_with("ui/") || file.starts_with("tests/")) &&
+      file != "ui/base/system_information.cpp")
+    return "app/window is the door to GLFW: keys are told by `Key` (only the version is named elsewhere)";
   if (auto why = ui_violation(file, target)) return why;
   return core_violation(file, target);
 }
@@ -248,6 +251,7 @@ TEST(Includes, TheRulesFindWhatTheyForbid) {
   EXPECT_TRUE(refused("core/base/x.cpp", "render/camera.hpp"));
   EXPECT_TRUE(refused("core/document/x.cpp", "imgui.h"));
   EXPECT_TRUE(refused("core/document/x.cpp", "GLFW/glfw3.h"));
+  EXPECT_TRUE(refused("ui/view/x.cpp", "GLFW/glfw3.h"));
   EXPECT_TRUE(refused("core/document/x.cpp", "epoxy/gl.h"));
   EXPECT_TRUE(refused("core/document/x.cpp", "GL/gl.h"));
   EXPECT_TRUE(refused("core/base/x.cpp", "core/polyhedron/polyhedron.hpp"));

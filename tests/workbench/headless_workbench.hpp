@@ -3,7 +3,6 @@
 // HeadlessWorkbench: the interface of one window without a window. Pointer and keys are given by the test,
 // pictures are drawn off the screen, surfaces are computed by the real engine.
 
-#include <GLFW/glfw3.h>
 #include <gtest/gtest.h>
 #include <imgui.h>
 
@@ -94,7 +93,7 @@ class HeadlessWorkbench {
   }
 
   void key(const KeyChord& chord) {
-    const bool plain = !chord.control && !chord.alt && chord.key < 128;
+    const bool plain = !chord.control && !chord.alt && static_cast<int>(chord.key) < 128;
     workbench_->key({chord, plain ? static_cast<char32_t>(chord.key) : char32_t(0)});
     frame();
   }
@@ -189,25 +188,25 @@ class HeadlessWorkbench {
   }
 
  private:
-  static ImGuiKey imgui_key(int key) {
+  static ImGuiKey imgui_key(Key key) {
     switch (key) {
-      case GLFW_KEY_TAB:
+      case Key::tab:
         return ImGuiKey_Tab;
-      case GLFW_KEY_ENTER:
+      case Key::enter:
         return ImGuiKey_Enter;
-      case GLFW_KEY_ESCAPE:
+      case Key::escape:
         return ImGuiKey_Escape;
-      case GLFW_KEY_SPACE:
+      case Key::space:
         return ImGuiKey_Space;
-      case GLFW_KEY_BACKSPACE:
+      case Key::backspace:
         return ImGuiKey_Backspace;
-      case GLFW_KEY_UP:
+      case Key::up:
         return ImGuiKey_UpArrow;
-      case GLFW_KEY_DOWN:
+      case Key::down:
         return ImGuiKey_DownArrow;
-      case GLFW_KEY_LEFT:
+      case Key::left:
         return ImGuiKey_LeftArrow;
-      case GLFW_KEY_RIGHT:
+      case Key::right:
         return ImGuiKey_RightArrow;
       default:
         return ImGuiKey_COUNT;

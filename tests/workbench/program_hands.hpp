@@ -112,7 +112,7 @@ class ProgramHands : private NoServices {
     if (ImGui::GetIO().WantTextInput) return bench_.type(text);
     for (const char c : text) {
       KeyChord chord;
-      chord.key = c;
+      chord.key = Key{c};
       bench_.workbench().key({chord, static_cast<char32_t>(c)});
       bench_.frame();
     }

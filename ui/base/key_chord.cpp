@@ -1,7 +1,5 @@
 #include "ui/base/key_chord.hpp"
 
-#include <GLFW/glfw3.h>
-
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -11,45 +9,45 @@ namespace hariko {
 namespace {
 
 struct KeyName {
-  int key;
+  Key key;
   std::string_view name;
 };
 constexpr std::array key_names{
-    KeyName{GLFW_KEY_ESCAPE, "Esc"},
-    KeyName{GLFW_KEY_DELETE, "Del"},
-    KeyName{GLFW_KEY_INSERT, "Ins"},
-    KeyName{GLFW_KEY_HOME, "Home"},
-    KeyName{GLFW_KEY_END, "End"},
-    KeyName{GLFW_KEY_PAGE_UP, "PgUp"},
-    KeyName{GLFW_KEY_PAGE_DOWN, "PgDn"},
-    KeyName{GLFW_KEY_ENTER, "Enter"},
-    KeyName{GLFW_KEY_SPACE, "Space"},
-    KeyName{GLFW_KEY_TAB, "Tab"},
-    KeyName{GLFW_KEY_BACKSPACE, "Backspace"},
-    KeyName{GLFW_KEY_LEFT, "Left"},
-    KeyName{GLFW_KEY_RIGHT, "Right"},
-    KeyName{GLFW_KEY_UP, "Up"},
-    KeyName{GLFW_KEY_DOWN, "Down"},
-    KeyName{GLFW_KEY_MENU, "Menu"},
-    KeyName{GLFW_KEY_PAUSE, "Pause"},
-    KeyName{GLFW_KEY_KP_0, "Num 0"},
-    KeyName{GLFW_KEY_KP_1, "Num 1"},
-    KeyName{GLFW_KEY_KP_2, "Num 2"},
-    KeyName{GLFW_KEY_KP_3, "Num 3"},
-    KeyName{GLFW_KEY_KP_4, "Num 4"},
-    KeyName{GLFW_KEY_KP_5, "Num 5"},
-    KeyName{GLFW_KEY_KP_6, "Num 6"},
-    KeyName{GLFW_KEY_KP_7, "Num 7"},
-    KeyName{GLFW_KEY_KP_8, "Num 8"},
-    KeyName{GLFW_KEY_KP_9, "Num 9"},
-    KeyName{GLFW_KEY_KP_ADD, "Num +"},
-    KeyName{GLFW_KEY_KP_SUBTRACT, "Num -"},
-    KeyName{GLFW_KEY_KP_MULTIPLY, "Num *"},
-    KeyName{GLFW_KEY_KP_DIVIDE, "Num Slash"},
-    KeyName{GLFW_KEY_KP_DECIMAL, "Num ."},
+    KeyName{Key::escape, "Esc"},
+    KeyName{Key::delete_forward, "Del"},
+    KeyName{Key::insert, "Ins"},
+    KeyName{Key::home, "Home"},
+    KeyName{Key::end, "End"},
+    KeyName{Key::page_up, "PgUp"},
+    KeyName{Key::page_down, "PgDn"},
+    KeyName{Key::enter, "Enter"},
+    KeyName{Key::space, "Space"},
+    KeyName{Key::tab, "Tab"},
+    KeyName{Key::backspace, "Backspace"},
+    KeyName{Key::left, "Left"},
+    KeyName{Key::right, "Right"},
+    KeyName{Key::up, "Up"},
+    KeyName{Key::down, "Down"},
+    KeyName{Key::menu, "Menu"},
+    KeyName{Key::pause, "Pause"},
+    KeyName{Key::keypad_0, "Num 0"},
+    KeyName{Key::keypad_1, "Num 1"},
+    KeyName{Key::keypad_2, "Num 2"},
+    KeyName{Key::keypad_3, "Num 3"},
+    KeyName{Key::keypad_4, "Num 4"},
+    KeyName{Key::keypad_5, "Num 5"},
+    KeyName{Key::keypad_6, "Num 6"},
+    KeyName{Key::keypad_7, "Num 7"},
+    KeyName{Key::keypad_8, "Num 8"},
+    KeyName{Key::keypad_9, "Num 9"},
+    KeyName{Key::keypad_add, "Num +"},
+    KeyName{Key::keypad_subtract, "Num -"},
+    KeyName{Key::keypad_multiply, "Num *"},
+    KeyName{Key::keypad_divide, "Num Slash"},
+    KeyName{Key::keypad_decimal, "Num ."},
 };
 constexpr std::string_view signs = ",.;'/\\[]-=`";
-constexpr int function_keys = 25;
+constexpr int function_keys = Key::f25 - Key::f1 + 1;
 
 bool take_prefix(std::string_view& text, std::string_view prefix) {
   if (!text.starts_with(prefix)) return false;
@@ -58,16 +56,21 @@ bool take_prefix(std::string_view& text, std::string_view prefix) {
 }
 
 /// Letters, digits and signs, which are named by themselves.
-bool is_plain(int key) {
-  return (key >= 'A' && key <= 'Z') || (key >= '0' && key <= '9') ||
-         (key > 0 && key < 128 && signs.find(static_cast<char>(key)) != std::string_view::npos);
+bool is_plain(Key key) {
+  const int code = static_cast<int>(key);
+  return (code >= 'A' && code <= 'Z') || (code >= '0' && code <= '9') ||
+         (code > 0 && code < 128 && signs.find(static_cast<char>(code)) != std::string_view::npos);
 }
 
-/// "F12"; 0 for anything else.
-int function_key(std::string_view text) {
-  for (int i = 1; i <= function_keys; ++i)
-    if (text == "F" + std::to_string(i)) return GLFW_KEY_F1 + i - 1;
-  return 0;
+bool is_function_key(Key key) {
+  return key >= Key::f1 && key <= Key::f25;
+}
+
+/// "F12"; `none` for anything else.
+Key function_key(std::string_view text) {
+  for (int i = 0; i < function_keys; ++i)
+    if (text == "F" + std::to_string(i + 1)) return Key::f1 + i;
+  return Key::none;
 }
 
 }  // namespace
@@ -82,14 +85,14 @@ std::optional<KeyChord> KeyChord::parse(std::string_view text) {
   }
   if (text == "?" && !chord.shift) {
     chord.shift = true;
-    chord.key = GLFW_KEY_SLASH;
+    chord.key = Key::slash;
     return chord;
   }
-  if (text.size() == 1 && is_plain(static_cast<unsigned char>(text[0]))) {
-    chord.key = static_cast<unsigned char>(text[0]);
+  if (text.size() == 1 && is_plain(Key{static_cast<unsigned char>(text[0])})) {
+    chord.key = Key{static_cast<unsigned char>(text[0])};
     return chord;
   }
-  if (const int key = function_key(text)) {
+  if (const Key key = function_key(text); key != Key::none) {
     chord.key = key;
     return chord;
   }
@@ -102,19 +105,18 @@ std::optional<KeyChord> KeyChord::parse(std::string_view text) {
 std::string KeyChord::to_string() const {
   std::string text;
   if (control) text += "Ctrl+";
-  if (shift && key != GLFW_KEY_SLASH) text += "Shift+";
+  if (shift && key != Key::slash) text += "Shift+";
   if (alt) text += "Alt+";
-  if (shift && key == GLFW_KEY_SLASH) return text + "?";
+  if (shift && key == Key::slash) return text + "?";
   if (is_plain(key)) return text + static_cast<char>(key);
-  if (key >= GLFW_KEY_F1 && key < GLFW_KEY_F1 + function_keys)
-    return text + "F" + std::to_string(key - GLFW_KEY_F1 + 1);
+  if (is_function_key(key)) return text + "F" + std::to_string(key - Key::f1 + 1);
   for (const KeyName& entry : key_names)
     if (entry.key == key) return text.append(entry.name);
   return text;
 }
 
 bool KeyChord::is_known() const {
-  return is_plain(key) || (key >= GLFW_KEY_F1 && key < GLFW_KEY_F1 + function_keys) ||
+  return is_plain(key) || is_function_key(key) ||
          std::ranges::any_of(key_names, [this](const KeyName& e) { return e.key == key; });
 }
 
@@ -139,9 +141,9 @@ std::string print_keys(std::span<const KeyChord> keys) {
 
 std::vector<KeyChord> all_chords() {
   std::vector<KeyChord> out;
-  for (int key = 0; key <= GLFW_KEY_LAST; ++key)
+  for (int code = 0; code <= static_cast<int>(Key::menu); ++code)
     for (int modifiers = 0; modifiers < 8; ++modifiers) {
-      const KeyChord chord{key, (modifiers & 1) != 0, (modifiers & 2) != 0, (modifiers & 4) != 0};
+      const KeyChord chord{Key{code}, (modifiers & 1) != 0, (modifiers & 2) != 0, (modifiers & 4) != 0};
       if (chord.is_known()) out.push_back(chord);
     }
   return out;
@@ -163,10 +165,10 @@ std::vector<char> menu_letters(const std::vector<std::string>& menus) {
   return letters;
 }
 
-const std::string* menu_of_letter(const std::vector<std::string>& menus, int key) {
+const std::string* menu_of_letter(const std::vector<std::string>& menus, Key key) {
   const std::vector<char> letters = menu_letters(menus);
   const auto found = std::find(letters.begin(), letters.end(), static_cast<char>(key));
-  if (key < 'A' || key > 'Z' || found == letters.end()) return nullptr;
+  if (key < Key::a || key > Key::z || found == letters.end()) return nullptr;
   return &menus[static_cast<std::size_t>(found - letters.begin())];
 }
 

@@ -1,7 +1,5 @@
 #include "ui/editor/command_table.hpp"
 
-#include <GLFW/glfw3.h>
-
 #include <algorithm>
 #include <array>
 #include <utility>
@@ -89,7 +87,7 @@ std::vector<std::string> CommandTable::menus() const {
 }
 
 bool CommandTable::is_reserved(const KeyChord& chord) {
-  return chord.key == GLFW_KEY_ESCAPE;
+  return chord.key == Key::escape;
 }
 
 void CommandTable::use_keys(std::size_t command, const std::vector<KeyChord>& keys) {

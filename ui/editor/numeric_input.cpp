@@ -1,7 +1,5 @@
 #include "ui/editor/numeric_input.hpp"
 
-#include <GLFW/glfw3.h>
-
 #include <algorithm>
 
 namespace hariko {
@@ -31,13 +29,13 @@ bool NumericInput::takes(char32_t c) const {
 
 bool NumericInput::key(const KeyPress& press) {
   std::string& text = texts_[current_];
-  if (press.chord.key == GLFW_KEY_BACKSPACE) {
+  if (press.chord.key == Key::backspace) {
     if (!active()) return false;
     if (press.chord.control || text.empty()) text.clear();
     if (!text.empty()) text.pop_back();
     return true;
   }
-  if (press.chord.key == GLFW_KEY_TAB) {
+  if (press.chord.key == Key::tab) {
     if (texts_.size() < 2) return active();
     current_ = (current_ + (press.chord.shift ? texts_.size() - 1 : 1)) % texts_.size();
     return true;

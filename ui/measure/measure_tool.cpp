@@ -1,6 +1,3 @@
-
-#include <GLFW/glfw3.h>
-
 #include <vector>
 
 #include "core/document/edits/edit_dimensions.hpp"
@@ -48,8 +45,8 @@ class MeasureTool final : public ModalTool {
 
   std::optional<ToolState> key(ToolContext& context, const KeyPress& press) override {
     const KeyChord& chord = press.chord;
-    if (chord.key == GLFW_KEY_ENTER || chord.key == GLFW_KEY_SPACE) return ToolState::commit;
-    if (chord.key == GLFW_KEY_BACKSPACE) {
+    if (chord.key == Key::enter || chord.key == Key::space) return ToolState::commit;
+    if (chord.key == Key::backspace) {
       if (!anchors_.empty()) anchors_.pop_back();
       look(context, false);
       return ToolState::stay;

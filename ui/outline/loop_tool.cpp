@@ -1,7 +1,5 @@
 #include "ui/outline/outline_handles.hpp"
 
-#include <GLFW/glfw3.h>
-
 #include "core/document/edits/edits.hpp"
 #include "core/gaussmap/outlines/drawn_loop.hpp"
 #include "core/gaussmap/outlines/interpolate_normals.hpp"
@@ -46,8 +44,8 @@ class LoopTool final : public ModalTool {
 
   std::optional<ToolState> key(ToolContext& context, const KeyPress& press) override {
     const KeyChord& chord = press.chord;
-    if (chord.key == GLFW_KEY_ENTER) return confirm(context);
-    if (chord.key == GLFW_KEY_BACKSPACE) {
+    if (chord.key == Key::enter) return confirm(context);
+    if (chord.key == Key::backspace) {
       if (!corners_.empty()) corners_.pop_back();
       error_.clear();
       return ToolState::stay;

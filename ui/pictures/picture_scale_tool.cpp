@@ -1,7 +1,5 @@
 #include "ui/pictures/picture_rows.hpp"
 
-#include <GLFW/glfw3.h>
-
 #include "core/document/edits/edit_pictures.hpp"
 #include "core/document/length_units.hpp"
 #include "ui/editor/numeric_input.hpp"
@@ -39,7 +37,7 @@ class PictureScaleTool final : public ModalTool {
   }
 
   std::optional<ToolState> key(ToolContext& context, const KeyPress& press) override {
-    const bool enter = press.chord.key == GLFW_KEY_ENTER;
+    const bool enter = press.chord.key == Key::enter;
     if (!second_) {
       if (enter) return ToolState::stay;
       return unused_key(press);
@@ -49,7 +47,7 @@ class PictureScaleTool final : public ModalTool {
       show(context, false);
       return ToolState::stay;
     }
-    if (press.chord.key == GLFW_KEY_BACKSPACE) second_.reset();
+    if (press.chord.key == Key::backspace) second_.reset();
     if (press.chord.control || press.chord.alt || (press.text == 0 && second_)) return std::nullopt;
     return ToolState::stay;
   }

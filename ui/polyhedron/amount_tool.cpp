@@ -1,7 +1,5 @@
 #include "ui/polyhedron/amount_tool.hpp"
 
-#include <GLFW/glfw3.h>
-
 #include <Eigen/Geometry>
 #include <algorithm>
 
@@ -76,11 +74,11 @@ class AmountTool final : public ModalTool {
   }
 
   std::optional<ToolState> key(ToolContext& context, const KeyPress& press) override {
-    if (press.chord.key == GLFW_KEY_ENTER) return confirm(context);
+    if (press.chord.key == Key::enter) return confirm(context);
     if (!input_.key(press)) {
       if (press.chord.control || press.chord.alt || press.text == 0) return std::nullopt;
       // Other letters would run commands in the middle of the gesture.
-      if (press.chord.key != GLFW_KEY_I || !operation_.grouped) return ToolState::stay;
+      if (press.chord.key != Key::i || !operation_.grouped) return ToolState::stay;
       grouping_ = grouping_ == Grouping::region ? Grouping::individual : Grouping::region;
       find_limit(context);
     }

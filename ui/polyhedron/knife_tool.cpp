@@ -1,7 +1,5 @@
 #include "ui/polyhedron/cutting_tools.hpp"
 
-#include <GLFW/glfw3.h>
-
 #include <vector>
 
 #include "core/modeling/cuts/knife_path.hpp"
@@ -50,8 +48,8 @@ class KnifeTool final : public ModalTool {
 
   std::optional<ToolState> key(ToolContext& context, const KeyPress& press) override {
     const KeyChord& chord = press.chord;
-    if (chord.key == GLFW_KEY_ENTER || chord.key == GLFW_KEY_SPACE) return confirm(context);
-    if (chord.key == GLFW_KEY_BACKSPACE) {
+    if (chord.key == Key::enter || chord.key == Key::space) return confirm(context);
+    if (chord.key == Key::backspace) {
       if (!legs_.empty()) legs_.pop_back();
       lay_lines(context);
       look(context, false);

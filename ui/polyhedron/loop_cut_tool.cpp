@@ -1,7 +1,5 @@
 #include "ui/polyhedron/cutting_tools.hpp"
 
-#include <GLFW/glfw3.h>
-
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -38,7 +36,7 @@ class LoopCutTool final : public PointingTool {
   }
 
   std::optional<ToolState> key(ToolContext& context, const KeyPress& press) override {
-    if (press.chord.key == GLFW_KEY_ENTER) {
+    if (press.chord.key == Key::enter) {
       if (!sliding_ && !choose(context)) return ToolState::stay;
       return confirm(context);
     }

@@ -1,7 +1,5 @@
 #include "ui/polyhedron/tension_tool.hpp"
 
-#include <GLFW/glfw3.h>
-
 #include <imgui.h>
 #include <algorithm>
 #include <cmath>
@@ -116,7 +114,7 @@ ToolState TensionTool::confirm(ToolContext& context) {
 }
 
 std::optional<ToolState> TensionTool::key(ToolContext& context, const KeyPress& press) {
-  if (press.chord.key == GLFW_KEY_ENTER) return confirm(context);
+  if (press.chord.key == Key::enter) return confirm(context);
   if (input_.key(press)) return show(context);
   // Other letters would run commands in the middle of a gesture.
   if (press.text != 0) return ToolState::stay;

@@ -1,6 +1,5 @@
 #include "ui/shell/command_palette.hpp"
 
-#include <GLFW/glfw3.h>
 #include <imgui.h>
 
 #include <algorithm>
@@ -34,11 +33,11 @@ void CommandPalette::open() {
 }
 
 void CommandPalette::key(const KeyChord& chord) {
-  if (chord.key == GLFW_KEY_UP) step_ = -1;
-  if (chord.key == GLFW_KEY_DOWN) step_ = 1;
-  if (chord.key == GLFW_KEY_PAGE_UP) step_ = -page;
-  if (chord.key == GLFW_KEY_PAGE_DOWN) step_ = page;
-  if (chord.key == GLFW_KEY_ENTER) accept_ = true;
+  if (chord.key == Key::up) step_ = -1;
+  if (chord.key == Key::down) step_ = 1;
+  if (chord.key == Key::page_up) step_ = -page;
+  if (chord.key == Key::page_down) step_ = page;
+  if (chord.key == Key::enter) accept_ = true;
 }
 
 std::vector<CommandPalette::Row> CommandPalette::rows(const PanelContext& context) const {

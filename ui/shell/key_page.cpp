@@ -1,6 +1,5 @@
 // The page of the preferences where keys are given to commands.
 
-#include <GLFW/glfw3.h>
 #include <imgui.h>
 
 #include <algorithm>
@@ -29,7 +28,7 @@ bool KeyPage::key(Editor& editor, const CommandTable& commands, const KeyChord& 
     return true;
   }
   if (wanted_) {
-    if (chord.key == GLFW_KEY_ENTER) assign(editor, commands);
+    if (chord.key == Key::enter) assign(editor, commands);
     return true;
   }
   if (!chord.is_known()) return true;  // a modifier on its way to a chord

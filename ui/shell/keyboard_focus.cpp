@@ -2,8 +2,6 @@
 
 #include <imgui_internal.h>
 
-#include <GLFW/glfw3.h>
-
 #include <algorithm>
 #include <vector>
 
@@ -107,20 +105,20 @@ void KeyboardFocus::next_panel(bool back) {
 bool KeyboardFocus::item_key(const KeyChord& chord) {
   if (chord.control || chord.alt) return false;
   switch (chord.key) {
-    case GLFW_KEY_ENTER:
-    case GLFW_KEY_KP_ENTER:
+    case Key::enter:
+    case Key::keypad_enter:
       activates_ = true;
       return true;
-    case GLFW_KEY_UP:
-    case GLFW_KEY_DOWN:
-    case GLFW_KEY_LEFT:
-    case GLFW_KEY_RIGHT:
-    case GLFW_KEY_TAB:
-    case GLFW_KEY_SPACE:
-    case GLFW_KEY_HOME:
-    case GLFW_KEY_END:
-    case GLFW_KEY_PAGE_UP:
-    case GLFW_KEY_PAGE_DOWN:
+    case Key::up:
+    case Key::down:
+    case Key::left:
+    case Key::right:
+    case Key::tab:
+    case Key::space:
+    case Key::home:
+    case Key::end:
+    case Key::page_up:
+    case Key::page_down:
       return true;
     default:
       return false;

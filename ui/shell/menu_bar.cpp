@@ -64,7 +64,8 @@ void draw_letter(const PanelContext& context, const std::string& menu, ImDrawLis
   const auto number = static_cast<std::size_t>(std::find(menus.begin(), menus.end(), menu) - menus.begin());
   const char letter = menu_letters(menus)[number];
   if (letter == 0) return;
-  if (how == MenuLetters::with_alt && context.commands.find(KeyChord{letter, false, false, true})) return;
+  if (how == MenuLetters::with_alt && context.commands.find(KeyChord{Key{letter}, false, false, true}))
+    return;
   const std::string name = context.tr(menu);
   const float height = ImGui::GetTextLineHeight(), line = context.metrics.px(2);
   const auto place = std::ranges::find_if(

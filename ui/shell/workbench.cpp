@@ -2,8 +2,6 @@
 
 #include <imgui_internal.h>
 
-#include <GLFW/glfw3.h>
-
 #include <algorithm>
 #include <array>
 #include <utility>
@@ -288,11 +286,11 @@ bool Workbench::navigation_key(const KeyChord& chord) {
   const bool plain = !chord.control && !chord.alt;
   const bool busy = prompt_.is_open() || files_.is_open() || offers_dialog_.is_open() || palette_.is_open() ||
                     cheat_sheet_.is_open() || viewport_.tool_active();
-  if (!busy && plain && chord.key == GLFW_KEY_F6 && editor_.has_document)
+  if (!busy && plain && chord.key == Key::f6 && editor_.has_document)
     return keyboard_.next_panel(chord.shift), true;
   const std::vector<std::string> menus = commands_.menus();
   const std::string* menu = nullptr;
-  if (!busy && plain && !chord.shift && chord.key == GLFW_KEY_F10)
+  if (!busy && plain && !chord.shift && chord.key == Key::f10)
     menu = &menus.front();
   else if (!busy && !chord.control && !chord.shift &&
            (chord.alt ? !commands_.find(chord) : panel_state_.menu_open && !text_field_active()))
@@ -323,7 +321,7 @@ void Workbench::key(const KeyPress& press) {
   const KeyChord& chord = press.chord;
   editor_.cursor_note.reset();
   if (preferences_.key(editor_, commands_, chord)) return;
-  if (chord.key == GLFW_KEY_ESCAPE) return escape();
+  if (chord.key == Key::escape) return escape();
   if (palette_.is_open()) return palette_.key(chord);
   if (cheat_sheet_.is_open()) {
     const Command* closing = commands_.find(chord);

@@ -1,7 +1,5 @@
 #include "ui/skin/skin_tools.hpp"
 
-#include <GLFW/glfw3.h>
-
 #include <algorithm>
 
 #include "core/document/edits/edit_skin.hpp"
@@ -46,11 +44,11 @@ class CorrespondTool final : public PointingTool {
 
   std::optional<ToolState> key(ToolContext& context, const KeyPress& press) override {
     const KeyChord& chord = press.chord;
-    if (chord.key == GLFW_KEY_ENTER) return ToolState::commit;
-    if (chord.control && (chord.key == GLFW_KEY_Z || chord.key == GLFW_KEY_Y)) {
+    if (chord.key == Key::enter) return ToolState::commit;
+    if (chord.control && (chord.key == Key::z || chord.key == Key::y)) {
       cancel(context);
       error_.clear();
-      if (chord.shift || chord.key == GLFW_KEY_Y)
+      if (chord.shift || chord.key == Key::y)
         context.editor.redo();
       else
         context.editor.undo();
@@ -58,16 +56,16 @@ class CorrespondTool final : public PointingTool {
       return ToolState::stay;
     }
     if (chord.control || chord.alt) return std::nullopt;
-    if (chord.key == GLFW_KEY_DELETE || chord.key == GLFW_KEY_BACKSPACE) {
+    if (chord.key == Key::delete_forward || chord.key == Key::backspace) {
       with_hovered(context, "Delete correspondence", [](const Skin& skin, const SkinView::Line& line) {
         return line.entry ? delete_correspondence(skin, *line.entry) : nothing();
       });
-    } else if (chord.key == GLFW_KEY_L) {
+    } else if (chord.key == Key::l) {
       with_hovered(context, "Lock correspondence", [](const Skin& skin, const SkinView::Line& line) {
         return line.entry && line.locked ? set_locked(skin, *line.entry, false)
                                          : lock_line(skin, line.a, line.b);
       });
-    } else if (chord.key == GLFW_KEY_R) {
+    } else if (chord.key == Key::r) {
       with_hovered(context, "Reset strip", [](const Skin& skin, const SkinView::Line& line) {
         return Result<CorrespondenceEdit>(reset_strip(skin, line.first, line.second));
       });

@@ -1,7 +1,5 @@
 #include "ui/skin/curve_sketch.hpp"
 
-#include <GLFW/glfw3.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -108,16 +106,16 @@ std::optional<Message> CurveSketch::add_stroke(const ToolContext& context) {
 bool CurveSketch::key(const KeyPress& press) {
   if (press.chord.control || press.chord.alt) return false;
   switch (press.chord.key) {
-    case GLFW_KEY_BACKSPACE:
+    case Key::backspace:
       if (closed_)
         closed_ = false;
       else if (!points_.empty())
         points_.pop_back(), sharp_.pop_back();
       return true;
-    case GLFW_KEY_C:
+    case Key::c:
       closed_ = !closed_ && size() >= 3;
       return true;
-    case GLFW_KEY_P:
+    case Key::p:
       through_ = !through_;
       return true;
     default:
@@ -210,16 +208,16 @@ bool ShapeSketch::key(const KeyPress& press, Unit unit) {
   if (active() && input_.key(press)) return true;
   if (press.chord.control || press.chord.alt) return false;
   switch (press.chord.key) {
-    case GLFW_KEY_O:
+    case Key::o:
       begin(SectionShape::circle, unit);
       return true;
-    case GLFW_KEY_E:
+    case Key::e:
       begin(SectionShape::ellipse, unit);
       return true;
-    case GLFW_KEY_R:
+    case Key::r:
       begin(SectionShape::rectangle, unit);
       return true;
-    case GLFW_KEY_BACKSPACE:
+    case Key::backspace:
       if (!active()) return false;
       end();
       return true;

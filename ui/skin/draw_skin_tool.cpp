@@ -1,7 +1,5 @@
 #include "ui/skin/skin_tools.hpp"
 
-#include <GLFW/glfw3.h>
-
 #include <Eigen/Geometry>
 #include <array>
 #include <cmath>
@@ -62,18 +60,18 @@ class DrawingTool : public ModalTool {
   std::optional<ToolState> key(ToolContext& context, const KeyPress& press) override {
     error_.clear();
     const Unit unit = context.editor.document().unit;
-    if (press.chord.key == GLFW_KEY_ENTER) {
+    if (press.chord.key == Key::enter) {
       if (!shape_.active()) return go_on(context);
       set_shape();
       return ToolState::stay;
     }
     if (draws_section() && (shape_.active() || !sketch_.busy()) && shape_.key(press, unit))
       return ToolState::stay;
-    if (draws_section() && press.chord.key == GLFW_KEY_N && !press.chord.control && !press.chord.alt) {
+    if (draws_section() && press.chord.key == Key::n && !press.chord.control && !press.chord.alt) {
       take_nearest(context);
       return ToolState::stay;
     }
-    if (press.chord.key == GLFW_KEY_BACKSPACE && sketch_.size() == 0 && !sketch_.busy()) {
+    if (press.chord.key == Key::backspace && sketch_.size() == 0 && !sketch_.busy()) {
       go_back(context);
       return ToolState::stay;
     }

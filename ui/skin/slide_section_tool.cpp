@@ -1,7 +1,5 @@
 #include "ui/skin/skin_tools.hpp"
 
-#include <GLFW/glfw3.h>
-
 #include <cmath>
 
 #include "core/skinning/edit/edit_path.hpp"
@@ -54,7 +52,7 @@ class SlideSectionTool final : public SpeakingTool {
   }
 
   std::optional<ToolState> key(ToolContext& context, const KeyPress& press) override {
-    if (press.chord.key == GLFW_KEY_ENTER) return confirm(context);
+    if (press.chord.key == Key::enter) return confirm(context);
     if (!input_.key(press)) return unused_key(press);
     show(context, false);
     return ToolState::stay;
@@ -157,7 +155,7 @@ class AddSectionTool final : public PointingTool {
   }
 
   std::optional<ToolState> key(ToolContext&, const KeyPress& press) override {
-    if (press.chord.key == GLFW_KEY_ENTER) return ToolState::commit;
+    if (press.chord.key == Key::enter) return ToolState::commit;
     return unused_key(press);
   }
 

@@ -1,5 +1,3 @@
-
-#include <GLFW/glfw3.h>
 #include <imgui.h>
 
 #include <algorithm>
@@ -109,7 +107,7 @@ class PullTool final : public PointingTool {
   }
 
   std::optional<ToolState> key(ToolContext& context, const KeyPress& press) override {
-    const bool removes = press.chord.key == GLFW_KEY_DELETE || press.chord.key == GLFW_KEY_BACKSPACE;
+    const bool removes = press.chord.key == Key::delete_forward || press.chord.key == Key::backspace;
     if (!removes || grabbed_ || !hot_ || hot_->fresh) return {};
     const auto result = change_solids(context.editor.history.current(), context.editor.selection.active,
                                       std::array{hot_->solid}, [index = hot_->index](Solid& solid) {

@@ -1,7 +1,5 @@
 #include "ui/view/axis_lock.hpp"
 
-#include <GLFW/glfw3.h>
-
 #include <cmath>
 
 namespace hariko {
@@ -43,9 +41,9 @@ Vector3 axis_drag(const Projector& projector, const Vector3& axis, const Vector3
 
 bool AxisLock::key(const KeyPress& press) {
   const KeyChord& chord = press.chord;
-  if (chord.control || chord.alt || chord.key < GLFW_KEY_X || chord.key > GLFW_KEY_Z) return false;
+  if (chord.control || chord.alt || chord.key < Key::x || chord.key > Key::z) return false;
   const Kind wanted = chord.shift ? Kind::plane : Kind::axis;
-  const int pressed = chord.key - GLFW_KEY_X;
+  const int pressed = chord.key - Key::x;
   if (kind != wanted || axis != pressed)
     *this = {wanted, pressed, false};
   else if (!local)

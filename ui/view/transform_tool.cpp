@@ -1,7 +1,5 @@
 #include "ui/view/transform_tool.hpp"
 
-#include <GLFW/glfw3.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -316,8 +314,8 @@ ToolState TransformTool::confirm(ToolContext& context) {
 
 std::optional<ToolState> TransformTool::key(ToolContext& context, const KeyPress& press) {
   if (target_.empty()) return std::nullopt;
-  const int key = press.chord.key;
-  if (key == GLFW_KEY_ENTER) return confirm(context);
+  const Key key = press.chord.key;
+  if (key == Key::enter) return confirm(context);
   if (input_.key(press)) return show(context);
   if (lock_key(press)) {
     input_.resize(fields());
@@ -325,25 +323,25 @@ std::optional<ToolState> TransformTool::key(ToolContext& context, const KeyPress
   }
   if (press.chord.control || press.chord.alt) return std::nullopt;
   if (modal()) {
-    const auto other = key == GLFW_KEY_G   ? std::optional(TransformKind::move)
-                       : key == GLFW_KEY_R ? std::optional(TransformKind::rotate)
-                       : key == GLFW_KEY_S ? std::optional(TransformKind::scale)
-                                           : std::nullopt;
+    const auto other = key == Key::g   ? std::optional(TransformKind::move)
+                       : key == Key::r ? std::optional(TransformKind::rotate)
+                       : key == Key::s ? std::optional(TransformKind::scale)
+                                       : std::nullopt;
     if (other && *other != kind_) {
       restart(context, *other);
       return ToolState::commit;
     }
     if (other) return ToolState::stay;
   }
-  if (key == GLFW_KEY_O && target_.of_elements()) {
+  if (key == Key::o && target_.of_elements()) {
     SoftSelection& soft = context.editor.transform.soft;
     soft.on = !soft.on;
     if (soft.radius == 0) soft.radius = camera_.view_height() / 8;
     apply_falloff(context);
     return show(context);
   }
-  if (key == GLFW_KEY_LEFT_BRACKET || key == GLFW_KEY_RIGHT_BRACKET) {
-    change_radius(context, key == GLFW_KEY_RIGHT_BRACKET ? 1 : -1);
+  if (key == Key::left_bracket || key == Key::right_bracket) {
+    change_radius(context, key == Key::right_bracket ? 1 : -1);
     return show(context);
   }
   // Other letters would run commands in the middle of a gesture.

@@ -1,7 +1,5 @@
 #include "ui/widgets/card_focus.hpp"
 
-#include <GLFW/glfw3.h>
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -61,25 +59,25 @@ bool CardFocus::key(const KeyChord& chord) {
   const std::size_t count = items_.size(), at = place();
   const bool nowhere = at == count;
   switch (chord.key) {
-    case GLFW_KEY_TAB:
+    case Key::tab:
       if (chord.shift)
         go(nowhere ? count - 1 : (at + count - 1) % count);
       else
         go(nowhere ? 0 : (at + 1) % count);
       return true;
-    case GLFW_KEY_HOME:
+    case Key::home:
       return go(0), true;
-    case GLFW_KEY_END:
+    case Key::end:
       return go(count - 1), true;
-    case GLFW_KEY_LEFT:
-    case GLFW_KEY_RIGHT:
-      return go(nowhere ? 0 : beside(at, chord.key == GLFW_KEY_RIGHT ? 1 : -1)), true;
-    case GLFW_KEY_UP:
-    case GLFW_KEY_DOWN:
-      return go(nowhere ? 0 : in_row(at, chord.key == GLFW_KEY_DOWN)), true;
-    case GLFW_KEY_ENTER:
-    case GLFW_KEY_KP_ENTER:
-    case GLFW_KEY_SPACE:
+    case Key::left:
+    case Key::right:
+      return go(nowhere ? 0 : beside(at, chord.key == Key::right ? 1 : -1)), true;
+    case Key::up:
+    case Key::down:
+      return go(nowhere ? 0 : in_row(at, chord.key == Key::down)), true;
+    case Key::enter:
+    case Key::keypad_enter:
+    case Key::space:
       choose_ = !nowhere;
       return choose_;
     default:
