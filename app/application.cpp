@@ -116,7 +116,7 @@ class Application final : private ApplicationServices {
     // A replay must not depend on this user's settings and recovery files.
     if (!played) load_settings();
     const auto& files = played ? played->start.files : options.files;
-    for (const auto& file : files) file == files.front() ? session_.open(file) : exchange_.import_file(file);
+    for (const auto& file : files) file == files.front() ? session_.open(file) : import_file(file);
     if (!played) {
       crashes_.find();
       session_.find_offers(pictures_);
@@ -187,7 +187,9 @@ class Application final : private ApplicationServices {
 
   // Requests of the interface.
   void open(const std::filesystem::path& path) override { session_.open(path); }
-  void import_file(const std::filesystem::path& path) override { exchange_.import_file(path); }
+  void import_file(const std::filesystem::path& path) override {
+    session_.when_opened([this, path] { exchange_.import_file(path); });
+  }
   void drop_files(const std::vector<std::filesystem::path>& files) override { window_.drop(files); }
   void save(const std::filesystem::path& path, std::function<void()> then) override {
     session_.save(path, std::move(then));
@@ -214,7 +216,9 @@ class Application final : private ApplicationServices {
   void export_sections(SectionOrder order) override { exchange_.export_sections(std::move(order)); }
   void export_control(const std::filesystem::path& path) override { exchange_.export_control(path); }
   void export_pages(const std::filesystem::path& path) override { exchange_.export_pages(path); }
-  void add_pictures(const std::vector<std::filesystem::path>& files) override { pictures_in_.add(files); }
+  void add_pictures(const std::vector<std::filesystem::path>& files) override {
+    session_.when_opened([this, files] { pictures_in_.add(files); });
+  }
   void pack_pictures(const std::vector<ObjectId>& pictures) override { pictures_in_.pack(pictures); }
   void unpack_picture(ObjectId picture, const std::filesystem::path& file) override {
     pictures_in_.unpack(picture, file);

@@ -53,14 +53,17 @@ const char* note_about_frames(const Document& document) {
 
 struct DocumentSession::Opened {
   fs::path path;
+  Work replaces;
   OpenedFile file;
   std::optional<FileStamp> stamp;
   FileLock::Attempt attempt;
   bool own_lock = false;  ///< this session has locked the file already
   bool sample = false;    ///< a sample of the program
+  std::string note;       ///< shown once it is open, in the language of the interface; may be empty
 };
 
 struct DocumentSession::Recovered {
+  Work replaces;
   Result<RecoveryCopy> copy = make_error(e_no_recovery, {});
   std::optional<RecoverySlot> slot;
   FileLock::Attempt attempt;
@@ -91,13 +94,26 @@ DocumentSession::DocumentSession(Editor& editor, Workbench& workbench, const Xdg
 // Opening.
 
 void DocumentSession::open(const fs::path& given, const MeshAnswers& answers) {
-  const fs::path path = full_path(given);
+  start_open(full_path(given), answers, present_work());
+}
+
+void DocumentSession::when_opened(std::function<void()> then) {
+  if (!opening()) return then();
+  after_opening_.push_back(std::move(then));
+}
+
+bool DocumentSession::opening() const {
+  return !editor_.has_document && (!background_.idle() || workbench_.question() != nullptr);
+}
+
+void DocumentSession::start_open(const fs::path& path, const MeshAnswers& answers, const Work& replaces) {
   background_.run_cancellable(
       Phrase(translatable("Opening {0}"), {name_of(path)}),
-      [path, answers, choice = editor_.mesh_import, samples = samples_,
+      [path, answers, replaces, choice = editor_.mesh_import, samples = samples_,
        own = lock_.held() ? lock_.path() : fs::path()](const CancelToken& cancel, const Progress& progress) {
         auto opened = std::make_shared<Opened>();
         opened->path = path;
+        opened->replaces = replaces;
         std::error_code unknown;  // an error says that one of them does not exist: they are different
         opened->sample = fs::equivalent(path.parent_path(), samples, unknown);
         // The stamp is taken first, so that a change during reading counts as one.
@@ -122,21 +138,24 @@ void DocumentSession::open(const fs::path& given, const MeshAnswers& answers) {
 void DocumentSession::ask_about_mesh(const std::shared_ptr<Opened>& opened, const MeshAnswers& answers) {
   const auto accept = [this, opened](const Document& document, const std::string& note) {
     opened->file.document = document;
+    opened->note = note;
     forget_errors(opened->file);
     install(opened, Mode::normal);
-    editor_.notify(Notice::Kind::info, note);
   };
   const OpenedFile& file = opened->file;
   if (answers.repair && file.repaired)
     return accept(*file.repaired, repair_note(editor_.language, opened->path, file.repair));
   hooks_.log("broken", opened->path);
   ask_about_broken_mesh(editor_, workbench_, opened->path, std::shared_ptr<const OpenedFile>(opened, &file),
-                        accept, [this, path = opened->path, answers] { open(path, with_repair(answers)); });
+                        accept, [this, path = opened->path, answers, replaces = opened->replaces] {
+                          start_open(path, with_repair(answers), replaces);
+                        });
 }
 
 void DocumentSession::ask_about_faults_of(const std::shared_ptr<Opened>& opened, const MeshAnswers& answers) {
   MeshReactions reactions;
-  reactions.read_again = [this, path = opened->path](const MeshAnswers& decided) { open(path, decided); };
+  reactions.read_again = [this, path = opened->path, replaces = opened->replaces](
+                             const MeshAnswers& decided) { start_open(path, decided, replaces); };
   reactions.accept = [this, opened] {
     if (opened->file.dense_faces > 0) return ask_about_density(opened);
     install(opened, opened->sample ? Mode::copy : Mode::normal);
@@ -176,6 +195,13 @@ void DocumentSession::warn_about_lock(const fs::path& path, const FileLock::Atte
 }
 
 void DocumentSession::install(const std::shared_ptr<Opened>& opened, Mode mode) {
+  if (!(opened->replaces == present_work()))
+    return workbench_.guarded([this, opened, mode] {
+      // The state that was read is older than the one just saved there.
+      if (is_own_file(opened->path)) return open(opened->path);
+      opened->replaces = present_work();
+      install(opened, mode);
+    });
   const bool file = opened->file.native && mode != Mode::copy;
   editor_.notices().clear();
   hooks_.replaced();
@@ -196,6 +222,7 @@ void DocumentSession::install(const std::shared_ptr<Opened>& opened, Mode mode) 
     editor_.notify(opened->file.messages[i]);
   if (const char* note = opened->file.native ? note_about_frames(*opened->file.document) : nullptr)
     editor_.inform(note);
+  if (!opened->note.empty()) editor_.notify(Notice::Kind::info, opened->note);
   if (!opened->sample) recent_.used(opened->path);
   hooks_.log("opened", opened->path);
 }
@@ -206,8 +233,11 @@ bool DocumentSession::is_own_file(const fs::path& path) const {
   return editor_.path && lock_path_of(*editor_.path) == lock_path_of(path);
 }
 
-void DocumentSession::save(const fs::path& path, std::function<void()> then) {
-  start_save(full_path(path), std::move(then), false);
+void DocumentSession::save(const fs::path& given, std::function<void()> then) {
+  fs::path path = full_path(given);
+  // Being saved under another name, the document has left its file, which stays as it is.
+  if (next_file_ && next_file_->document == editor_.documents && is_own_file(path)) path = next_file_->path;
+  start_save(path, std::move(then), false);
 }
 
 void DocumentSession::start_save(const fs::path& path, std::function<void()> then, bool overwrite) {
@@ -219,14 +249,24 @@ void DocumentSession::start_save(const fs::path& path, std::function<void()> the
   saved->serial = editor_.history.serial();
   const fs::path own_lock = lock_.held() ? lock_.path() : fs::path();
   const Disk expected = is_own_file(path) && !overwrite ? disk_ : Disk{};
+  const bool again = next_file_ && next_file_->document == editor_.documents && next_file_->path == path;
+  if (!is_own_file(path)) next_file_ = NextFile{editor_.documents, path};
+  ++unwritten_;
   background_.run(
       Phrase(translatable("Saving {0}"), {name_of(path)}),
-      [saved, own_lock, expected](const CancelToken&) {
+      [saved, own_lock, expected, again, own = own_write_](const CancelToken&) {
         const fs::path lock = lock_path_of(saved->path);
-        if (lock != own_lock) saved->attempt = FileLock::try_lock(lock, unix_seconds());
-        if (saved->attempt.outcome == Outcome::taken) return saved;
+        // The save before this one has locked the file where it wrote it.
+        if (lock != own_lock && !(again && own->lock == lock))
+          saved->attempt = FileLock::try_lock(lock, unix_seconds());
+        if (saved->attempt.outcome == Outcome::taken) {
+          *own = {};
+          return saved;
+        }
         const auto now = stamp_of(saved->path);
-        if (expected.stamp && now && now != expected.stamp) {
+        // A file that an earlier save wrote after this one was asked for is no change.
+        const bool is_own_write = own->lock == lock && own->stamp == now;
+        if (expected.stamp && now && now != expected.stamp && !is_own_write) {
           // A touched file is not a changed one: only different content is asked about.
           const auto content = load_document(saved->path);
           saved->changed_on_disk = !content.ok() || !expected.content || !(*content == *expected.content);
@@ -235,12 +275,15 @@ void DocumentSession::start_save(const fs::path& path, std::function<void()> the
         saved->result = save_document(saved->document, saved->path);
         (void)remove_stale_temporaries(saved->path.parent_path());
         saved->stamp = stamp_of(saved->path);
+        *own = {lock, saved->stamp};
         return saved;
       },
       [this, then = std::move(then)](const std::shared_ptr<Saved>& done) { finish_save(*done, then); });
 }
 
 void DocumentSession::finish_save(Saved& saved, const std::function<void()>& then) {
+  --unwritten_;
+  if (next_file_ && next_file_->path == saved.path) next_file_.reset();
   if (saved.attempt.outcome == Outcome::taken) return editor_.notify(in_use(saved.path));
   if (saved.changed_on_disk) return ask_about_change(saved.path, then);
   if (!saved.result.ok()) return editor_.notify(saved.result.error());
@@ -251,6 +294,7 @@ void DocumentSession::finish_save(Saved& saved, const std::function<void()>& the
     editor_.read_only = false;
     editor_.history.mark_saved(saved.serial);
     disk_ = {saved.stamp, saved.document};
+    ++saves_;
     if (saved.attempt.outcome == Outcome::acquired) lock_ = std::move(saved.attempt.lock);
   }
   hooks_.log("saved", saved.path);
@@ -272,6 +316,7 @@ void DocumentSession::ask_about_change(const fs::path& path, std::function<void(
 void DocumentSession::save_copy(const fs::path& given) {
   const fs::path path = full_path(given);
   if (is_own_file(path)) return save(path, {});
+  ++unwritten_;
   background_.run(
       Phrase(translatable("Saving {0}"), {name_of(path)}),
       [path, document = editor_.history.current()](const CancelToken&) -> Result<Done> {
@@ -280,6 +325,7 @@ void DocumentSession::save_copy(const fs::path& given) {
         return save_document(document, path);
       },
       [this, path](const Result<Done>& saved) {
+        --unwritten_;
         if (!saved.ok()) return editor_.notify(saved.error());
         editor_.inform({"Saved a copy as {0}.", {name_of(path)}});
         hooks_.log("copied", path);
@@ -316,6 +362,8 @@ double DocumentSession::interval() const {
 }
 
 void DocumentSession::update() {
+  if (!after_opening_.empty() && !opening())
+    for (const auto& then : std::exchange(after_opening_, {})) then();
   // Another document, or none: the file no longer belongs to this session
   if (document_ != editor_.documents) {
     document_ = editor_.documents;
@@ -324,7 +372,7 @@ void DocumentSession::update() {
   }
   if (!editor_.has_document || !editor_.history.dirty()) {
     autosaver_.set_nothing();
-  } else if (const Autosaver::State state{document_, editor_.history.serial()};
+  } else if (const Autosaver::State state{document_, editor_.history.serial(), saves_};
              !autosaver_.is_latest(state)) {
     autosaver_.set_work(
         {editor_.history.current(), state, {editor_.path.value_or(fs::path()), disk_.stamp, 0}});
@@ -354,6 +402,12 @@ void DocumentSession::write_autosave() {
 }
 
 void DocumentSession::end() {
+  if (unwritten_ > 0) {
+    // Work that would keep them waiting was asked about before the user left.
+    for (const auto& job : editor_.jobs)
+      if (job->can_be_cancelled) job->cancel.cancel();
+    background_.wait();
+  }
   autosaver_.set_nothing();
   (void)autosaver_.write(unix_seconds());
 }
@@ -369,8 +423,9 @@ void DocumentSession::recover(const std::string& id) {
   workbench_.guarded([this, id] {
     background_.run(
         translatable("Recovering"),
-        [this, id](const CancelToken&) {
+        [this, id, replaces = present_work()](const CancelToken&) {
           auto recovered = std::make_shared<Recovered>();
+          recovered->replaces = replaces;
           auto slot = recovery_.adopt(id, unix_seconds());
           if (!slot.ok()) {
             recovered->copy = slot.error();
@@ -383,26 +438,33 @@ void DocumentSession::recover(const std::string& id) {
                 FileLock::try_lock(lock_path_of(recovered->copy->note.original), unix_seconds());
           return recovered;
         },
-        [this, id](const std::shared_ptr<Recovered>& recovered) { finish_recovery(id, *recovered); });
+        [this, id](const std::shared_ptr<Recovered>& recovered) { finish_recovery(id, recovered); });
   });
 }
 
-void DocumentSession::finish_recovery(const std::string& id, Recovered& recovered) {
+void DocumentSession::finish_recovery(const std::string& id, const std::shared_ptr<Recovered>& found) {
   const Language& tr = editor_.language;
+  Recovered& recovered = *found;
   if (!recovered.copy.ok()) return editor_.notify(recovered.copy.error());
+  if (!(recovered.replaces == present_work()))
+    return workbench_.guarded([this, id, found] {
+      found->replaces = present_work();
+      finish_recovery(id, found);
+    });
   const RecoveryNote& note = recovered.copy->note;
+  const Document document = with_absolute_pictures(recovered.copy->document, note.original.parent_path());
   const bool in_use = recovered.attempt.outcome == Outcome::taken;
   const bool file = !note.original.empty() && !in_use;
   editor_.notices().clear();
   hooks_.replaced();
-  editor_.open(recovered.copy->document, file ? std::optional(note.original) : std::nullopt);
+  editor_.open(document, file ? std::optional(note.original) : std::nullopt);
   if (in_use) editor_.suggested_name = fill(tr("{0} recovered"), {note.original.stem().string()});
   editor_.history.mark_unsaved();
   document_ = editor_.documents;
   disk_ = {file ? note.original_stamp : std::nullopt, std::nullopt};
   lock_ = std::move(recovered.attempt.lock);
   autosaver_.adopt(std::move(*recovered.slot),
-                   {recovered.copy->document, {document_, editor_.history.serial()}, note});
+                   {document, {document_, editor_.history.serial(), saves_}, note});
   recoveries_.remove(id);
   workbench_.offers().recovery_places = 0;
   if (in_use)

@@ -3,11 +3,13 @@
 // DocumentSession: the open document and its file: opening, saving, locking, changes by other programs,
 // autosave and recovery.
 
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "app/files/open_file.hpp"
 #include "app/jobs/background_work.hpp"
@@ -39,7 +41,11 @@ class DocumentSession {
   void find_offers(Pictures& pictures);
 
   /// Opens a file. Asks first where a mesh is broken or has faults, unless `answers` decides about these.
+  /// Work that was done while the file was read is asked about before another document takes its place.
   void open(const std::filesystem::path& path, const MeshAnswers& answers = {});
+  /// Calls `then` when there is a document, or none is to come: at once, unless a file is being opened or
+  /// asked about for the start page.
+  void when_opened(std::function<void()> then);
   /// Saves the document; `then` is called after success.
   void save(const std::filesystem::path& path, std::function<void()> then);
   /// Saves a copy; the document keeps its file.
@@ -61,7 +67,8 @@ class DocumentSession {
 
   /// Writes the recovery copy as of the last `update` before it returns. From any thread.
   void write_autosave();
-  /// Ends the session: the user leaves, and work that is not saved was discarded.
+  /// Ends the session: the user leaves, and work that is not saved was discarded. Files that were asked for
+  /// are written first.
   void end();
 
  private:
@@ -69,13 +76,32 @@ class DocumentSession {
   enum class Mode { normal, read_only, copy };
   struct Opened;
   struct Recovered;
+  /// State of the work that another document would replace.
+  struct Work {
+    std::uint64_t document = 0, serial = 0;
+    friend bool operator==(const Work&, const Work&) = default;
+  };
   struct Saved;
+  /// File that this session wrote last, by its lock.
+  struct OwnWrite {
+    std::filesystem::path lock;
+    std::optional<FileStamp> stamp;
+  };
+  /// File that a document is being saved to for the first time.
+  struct NextFile {
+    std::uint64_t document = 0;
+    std::filesystem::path path;
+  };
   /// Content of the document's file when this session last read or wrote it.
   struct Disk {
     std::optional<FileStamp> stamp;
     std::optional<Document> content;
   };
 
+  Work present_work() const { return {editor_.documents, editor_.history.serial()}; }
+  /// `replaces`: work that the user knows to be replaced.
+  void start_open(const std::filesystem::path& path, const MeshAnswers& answers, const Work& replaces);
+  bool opening() const;
   void install(const std::shared_ptr<Opened>& opened, Mode mode);
   void ask_about_lock(const std::shared_ptr<Opened>& opened);
   void warn_about_lock(const std::filesystem::path& path, const FileLock::Attempt& attempt);
@@ -85,7 +111,7 @@ class DocumentSession {
   void start_save(const std::filesystem::path& path, std::function<void()> then, bool overwrite);
   void finish_save(Saved& saved, const std::function<void()>& then);
   void ask_about_change(const std::filesystem::path& path, std::function<void()> then);
-  void finish_recovery(const std::string& id, Recovered& recovered);
+  void finish_recovery(const std::string& id, const std::shared_ptr<Recovered>& found);
   void autosave();
   bool is_own_file(const std::filesystem::path& path) const;
   double interval() const;
@@ -99,9 +125,14 @@ class DocumentSession {
   RecoveryOffers recoveries_;
   Autosaver autosaver_;
   std::uint64_t document_ = 0;  ///< Editor::documents when this session last set or saw the document
+  std::uint64_t saves_ = 0;     ///< number of times that the document's file was written
   Disk disk_;
+  std::optional<NextFile> next_file_;
+  std::shared_ptr<OwnWrite> own_write_ = std::make_shared<OwnWrite>();  ///< for the jobs that save alone
   FileLock lock_;
+  int unwritten_ = 0;  ///< files that were asked for and are not written yet
   bool autosaving_ = false, autosave_failed_ = false;
+  std::vector<std::function<void()>> after_opening_;  ///< work that waits for a document
   BackgroundWork background_;  ///< last: its thread stops before the other members are destroyed
 };
 

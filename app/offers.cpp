@@ -39,7 +39,7 @@ void RecoveryOffers::show(const std::vector<Leftover>& leftovers, Pictures& pict
     offer.damaged = leftover.damaged;
     offers.push_back(std::move(offer));
     if (leftover.damaged) continue;
-    pictures.request(leftover.copy, [this, id = leftover.id](ImTextureID picture) {
+    pictures.request(leftover.copy, [this, id = leftover.id](unsigned picture) {
       for (RecoveryOffer& shown : workbench_.offers().recoveries)
         if (shown.id == id) shown.picture = picture;
     });
@@ -114,7 +114,7 @@ void RecentOffers::show(const std::vector<RecentEntry>& entries) {
     for (const RecentFile& old : before)
       if (old.path == file.path) file.picture = old.picture;
     recent.push_back(std::move(file));
-    pictures_->request(entry.path, [this, path = entry.path](ImTextureID picture) {
+    pictures_->request(entry.path, [this, path = entry.path](unsigned picture) {
       for (RecentFile& shown : workbench_.offers().recent)
         if (shown.path == path) shown.picture = picture;
     });

@@ -9,11 +9,14 @@
 
 namespace hariko {
 
-/// Temporary folder that is removed with this object.
+/// Temporary folder that is removed with this object. Its path is empty where none can be made.
 class ScratchFolder {
  public:
   ScratchFolder() {
-    std::string name = (std::filesystem::temp_directory_path() / "hariko-XXXXXX").native();
+    std::error_code missing;  // TMPDIR may name what is no folder
+    const std::filesystem::path folder = std::filesystem::temp_directory_path(missing);
+    if (missing) return;
+    std::string name = (folder / "hariko-XXXXXX").native();
     if (::mkdtemp(name.data())) path_ = name;
   }
   ~ScratchFolder() {

@@ -83,12 +83,15 @@ bool has_silhouettes(const Scene& scene) {
 Result<Done> draw_silhouettes(Painter& painter, const Frame& frame, const Scene& scene,
                               const std::function<const MeshBuffers&(const DisplayMesh&)>& buffers_of,
                               FrameTarget& mask, const FrameTarget& picture, const Style& style) {
-  const PixelArea area = area_of(frame, scene, 2 + 2 * double(style.outline_width) * frame.pixel_scale);
+  const double width = double(style.outline_width) * frame.pixel_scale, margin = 2 + 2 * width;
+  const PixelArea area = area_of(frame, scene, margin);
   if (area.width <= 0 || area.height <= 0) return Done{};
+  // Lines are searched for beyond their own area, where the mask must not hold objects of earlier pictures.
+  const PixelArea searched = area_of(frame, scene, margin + std::ceil(width) + 3);
   if (Result<Done> sized = mask.resize(frame.size, 1); !sized) return sized;
   mask.bind();
   glEnable(GL_SCISSOR_TEST);
-  glScissor(area.x, area.y, area.width, area.height);
+  glScissor(searched.x, searched.y, searched.width, searched.height);
   glDepthMask(GL_TRUE);
   glClearColor(0, 0, 0, 0);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
@@ -104,6 +107,7 @@ Result<Done> draw_silhouettes(Painter& painter, const Frame& frame, const Scene&
   }
   painter.cut(frame, false);
   picture.bind();
+  glScissor(area.x, area.y, area.width, area.height);
   painter.silhouette_lines(frame, mask.texture(), style);
   glDisable(GL_SCISSOR_TEST);
   return Done{};

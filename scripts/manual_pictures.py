@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Draws the sheets of materials, maps, marks, skins and lines of docs/manual.md with the program's own command line.
+"""Draws the sheets of materials, maps, marks, modes, skins and lines of docs/manual.md with the program's command line.
 
     python3 scripts/manual_pictures.py build/release/app/hariko [sheet ...]
 
@@ -38,6 +38,13 @@ SHEETS = {
         ("Display mesh", "fig2", ["--wire", "mesh"]),
         ("Section", "genus3", ["--section", "y=0.1", "--show", "network"]),
     ],
+    "manual_g2": [(caption, "fig2", ["--mode", mode, "--map", surface_map, "--range=-1.5,1.5"])
+                  for caption, mode, surface_map in [
+                      ("Fair, zebra", "fair", "zebra"),
+                      ("G2, zebra", "g2", "zebra"),
+                      ("Fair, mean curvature", "fair", "mean"),
+                      ("G2, mean curvature", "g2", "mean"),
+                  ]],
     "manual_skins": [(caption, "skin_" + sample, ["--show", "network"]) for caption, sample in [
         ("Smooth, 8 columns", "smooth"),
         ("Ridges by themselves", "ridges"),
@@ -80,7 +87,8 @@ def main():
                                     *options], check=True, timeout=300)
                 arguments += ["-label", caption, path]
             whole = os.path.join(folder, sheet + ".png")
-            subprocess.run(["montage", *arguments, "-tile", "3x", "-geometry", "400x300+3+3", "-background", "#2b2d31",
+            columns = "2x" if len(cells) == 4 else "3x"
+            subprocess.run(["montage", *arguments, "-tile", columns, "-geometry", "400x300+3+3", "-background", "#2b2d31",
                             "-fill", "#e6e6e6", "-font", "Inter-Regular", "-pointsize", "15", whole],
                            check=True, timeout=120)
             subprocess.run(["convert", whole, "-alpha", "off", "-strip", "+dither", "-colors", "160",

@@ -112,6 +112,10 @@ def zebra(window):
     window.key("alt+z")
 
 
+def gaussian(window):
+    command(window, "Gaussian curvature")
+
+
 def mean(window):
     command(window, "Mean curvature")
     window.key("alt+c")
@@ -165,10 +169,14 @@ def reference(window):
     window.type_path(drawing)
     window.wait_event("picture_added", 0)
     window.wait_idle()
+    window.key("Home")
+    window.wait_idle()
     command(window, "Scale by two points")
+    # The picture fills this share of the view's width; its corners are those of the drawing.
     x, y, width, height = window.rect("view.0")
-    for share in (0.5 - 0.8 * 0.5 * 540 / 700 * 0.75, 0.5 + 0.8 * 0.5 * 540 / 700 * 0.75):
-        window.click(x + width * share, y + height * 0.62)
+    pixel = 0.782 * width / 1400
+    for across in (160, 1240):
+        window.click(x + width / 2 + pixel * (across - 700), y + height / 2 + pixel * (560 - 350))
     window.type("118mm")
 
 
@@ -208,11 +216,6 @@ def vase():
 def paper(window):
     window.key("ctrl+p")
     window.wait_idle()
-    window.click_on("field.paper_distance")
-    window.key("ctrl+a")
-    window.type("0.03")
-    window.key("Return")
-    window.wait_idle()
     window.click_on("paper.unfold")
     window.wait(lambda: "pieces" in (window.last("paper") or {}), "the pages", 60)
     window.wait_idle()
@@ -225,6 +228,7 @@ def folding(window):
     paper(window)
     x, y, width, height = window.rect("paper.fold")
     window.drag((x + width - 6, y + height // 2), (x + width * 0.7, y + height // 2))
+    window.move(4, 796)
     window.key("Home")
     window.wait_idle()
 
@@ -238,6 +242,32 @@ def gauss(window):
     x, y, width, height = window.rect("view.0")
     window.move(x + width * 0.52, y + height * 0.5)
     window.wait_idle()
+
+
+def ring(window, share, count):
+    """Places on the screen round the middle of the view, as a circle on the ground looks from above its side."""
+    x, y, width, height = window.rect("view.0")
+    radius = share * min(width, height) / 2
+    return [(x + width / 2 + radius * math.cos(2 * math.pi * i / count),
+             y + height / 2 + 0.6 * radius * math.sin(2 * math.pi * i / count)) for i in range(count)]
+
+
+def outline(window):
+    """A loop on the ground with tilted normals, and a hole that is drawn on its surface."""
+    empty_document(window)
+    for menu, command_id, label, share, count in (("Add", "command.add.outline", "Add outline", 0.6, 8),
+                                                  ("Outline", "command.outline.add_loop", "Add loop", 0.16, 6)):
+        window.choose(menu, command_id)
+        for place in ring(window, share, count):
+            window.click(*place)
+        window.key("Return")
+        window.step(label)
+        if label == "Add outline":
+            window.keys("1", "ctrl+a")
+            window.enter("field.outline_tilt", "60")
+            window.step("Turn 32 normals")
+            window.key("Escape")
+            window.wait_idle()
 
 
 def skin(window):
@@ -304,6 +334,7 @@ def draft(window):
 
 # Picture -> (sample, text of a .json or none, what is done, settings of the interface)
 WINDOWS = {
+    "hariko": ("car", gaussian, {}),
     "manual_start": (None, nothing, {}),
     "manual_four": ("car", four, {}),
     "manual_extrude": ("fig2", extrude, {}),
@@ -327,6 +358,7 @@ WINDOWS = {
     "manual_joins": ("wheel_arch", attached, {}),
     "manual_patches": (vase, nothing, {}),
     "manual_gauss": ("ellipsoid_cap", gauss, {}),
+    "manual_outline": ("cube", outline, {}),
     "manual_skin": ("cube", skin, {}),
     "manual_gestures": ("cube", gestures, {}),
     "manual_reference": ("cube", reference, {}),

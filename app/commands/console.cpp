@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "app/commands/commands.hpp"
+#include "core/base/text/sanitized_utf8.hpp"
 #include "core/polyhedron/message_summary.hpp"
 
 namespace hariko {
@@ -40,6 +41,9 @@ int failure(const std::filesystem::path& file, const Message& error) {
 ProgressLine::ProgressLine(std::string what) : what_(std::move(what)) {
   if (::isatty(STDERR_FILENO) != 0) thread_ = std::thread([this] { show(); });
 }
+
+ProgressLine::ProgressLine(const std::filesystem::path& file, std::string_view doing)
+    : ProgressLine(sanitized_utf8(file.filename().string(), 60) + ": " + std::string(doing)) {}
 
 ProgressLine::~ProgressLine() {
   if (!thread_.joinable()) return;

@@ -30,6 +30,8 @@ int failure(const std::filesystem::path& file, const Message& error);
 class ProgressLine {
  public:
   explicit ProgressLine(std::string what);
+  /// Line "FILE: doing", with the file's name alone.
+  ProgressLine(const std::filesystem::path& file, std::string_view doing);
   ~ProgressLine();
   ProgressLine(const ProgressLine&) = delete;
   ProgressLine& operator=(const ProgressLine&) = delete;

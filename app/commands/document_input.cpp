@@ -63,10 +63,11 @@ void choose(SolidsSource& source, const Construction& construction) {
 
 }  // namespace
 
-OpenedFile open_as_asked(const std::filesystem::path& file, const Reading& reading,
-                         const Progress& progress) {
-  OpenedFile opened = open_file(file, {}, progress, join_choice(reading));
+OpenedFile open_as_asked(const std::filesystem::path& file, const Reading& reading) {
+  const ProgressLine line(file, "reading");
+  OpenedFile opened = open_file(file, {}, line.progress(), join_choice(reading));
   if (opened.document && reading.repair) turn_outwards(opened);
+  if (auto warning = inside_out_message(opened)) opened.messages.push_back(*std::move(warning));
   if (opened.document || !opened.broken_mesh) return opened;
   const bool repairs = reading.repair && opened.repaired;
   if (repairs || (reading.reference && opened.reference)) {

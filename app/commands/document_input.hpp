@@ -10,10 +10,10 @@
 
 namespace hariko {
 
-/// Opens a file. A mesh that makes no polyhedron is repaired or kept as facets where `reading` says so, and a
-/// warning about that replaces the errors; otherwise a warning tells that it is possible.
-OpenedFile open_as_asked(const std::filesystem::path& file, const Reading& reading,
-                         const Progress& progress = {});
+/// Opens a file, with a progress line. A mesh that makes no polyhedron is repaired or kept as facets where
+/// `reading` says so, and a warning about that replaces the errors; otherwise a warning tells that it is
+/// possible.
+OpenedFile open_as_asked(const std::filesystem::path& file, const Reading& reading);
 
 /// Opens a command's file; reports all messages on the error stream and returns nothing on an error.
 std::optional<Document> read_document_or_report(const std::filesystem::path& file,

@@ -28,17 +28,23 @@ int run_export(const ExportArguments& arguments) {
     if (arguments.file_arguments.choices.unit) choices.unit = *arguments.file_arguments.choices.unit;
     choices.scale = arguments.file_arguments.choices.scale;
     choices.to_zero = arguments.file_arguments.choices.to_zero;
-    const auto written =
-        export_cad(*document, arguments.out, choices, header_time(), {}, {}, arguments.file_arguments.wall);
+    const auto written = [&] {
+      const ProgressLine line(arguments.out, "writing");
+      return export_cad(*document, arguments.out, choices, header_time(), {}, line.progress(),
+                        arguments.file_arguments.wall);
+    }();
     if (!written.ok()) return failure(arguments.file, written.error());
     for (const Message& warning : left_out_of_cad(*document)) report(arguments.file.string(), warning);
     for (const Message& warning : warnings_of(*written)) report(arguments.file.string(), warning);
     return print(text_of(*written, document->unit) + moved_text(written->moved)) ? exit_fine : exit_failed;
   }
-  auto written = arguments.control ? control_meshes(*document, arguments.out)
-                                   : export_surfaces(*document, arguments.out, arguments.density,
-                                                     arguments.file_arguments.choices, {}, {},
-                                                     arguments.file_arguments.wall);
+  const auto written = [&] {
+    const ProgressLine line(arguments.out, "writing");
+    return arguments.control ? control_meshes(*document, arguments.out)
+                             : export_surfaces(*document, arguments.out, arguments.density,
+                                               arguments.file_arguments.choices, {}, line.progress(),
+                                               arguments.file_arguments.wall);
+  }();
   if (!written.ok()) return failure(arguments.file, written.error());
   for (const Message& warning : written->warnings) report(arguments.file.string(), warning);
   const std::string moved = moved_text(written->moved);

@@ -7,6 +7,7 @@
 #include "app/commands/document_input.hpp"
 #include "app/commands/object_info.hpp"
 #include "core/base/text/sanitized_utf8.hpp"
+#include "core/polyhedron/validation.hpp"
 
 namespace hariko {
 
@@ -70,10 +71,9 @@ class Describer {
 
 int run_info(const InfoArguments& arguments) {
   Stopwatch watch;
-  OpenedFile input = [&] {
-    const ProgressLine line(arguments.file.filename().string() + ": reading");
-    return open_as_asked(arguments.file, arguments.construction.reading, line.progress());
-  }();
+  OpenedFile input = open_as_asked(arguments.file, arguments.construction.reading);
+  // Every object names its own parts that are inside out.
+  std::erase_if(input.messages, [](const Message& message) { return message.code == w_inside_out; });
   if (input.document) input.document = with_construction(*std::move(input.document), arguments.construction);
   std::optional<Document> against;
   if (arguments.against) {

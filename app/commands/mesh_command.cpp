@@ -150,12 +150,18 @@ int run_mesh(const MeshArguments& arguments) {
   const WriteOptions options = write_options(*document, arguments.file_arguments.choices);
   const MeshRequest request{arguments.options, !arguments.errors.empty(), true,
                             file_digits(*document, arguments.out, options), arguments.file_arguments.wall};
-  auto meshed = mesh_surfaces(*document, request);
+  auto meshed = [&] {
+    const ProgressLine line(arguments.out, "meshing");
+    return mesh_surfaces(*document, request, {}, line.progress());
+  }();
   if (!meshed.ok()) return failure(arguments.file, meshed.error());
   const double meshing = watch.lap();
   std::vector<NamedTriangles> named;
   for (const MeshedObject& object : *meshed) named.push_back(object.named());
-  const auto written = write_mesh_file(arguments.out, named, options);
+  const auto written = [&] {
+    const ProgressLine line(arguments.out, "writing");
+    return write_mesh_file(arguments.out, named, options);
+  }();
   if (!written.ok()) return failure(arguments.file, written.error());
   for (std::size_t i = 0; i < named.size(); ++i) meshed.value()[i].add(written->rounding[i]);
   if (!arguments.errors.empty()) {

@@ -72,7 +72,10 @@ std::string summary_text(const Unfolding& unfolding) {
 
 int run_unfold(const UnfoldArguments& arguments) {
   const std::string file = arguments.file.string();
-  auto facets = model_facets(arguments.file, arguments.facets, arguments.reading);
+  auto facets = [&] {
+    const ProgressLine line(arguments.file, "reading");
+    return model_facets(arguments.file, arguments.facets, arguments.reading, {}, line.progress());
+  }();
   if (!facets.ok()) return failure(arguments.file, facets.error());
   report(file, facets->warnings);
   if (const auto errors = unfolding_errors(facets->mesh); !errors.empty()) {
@@ -88,8 +91,11 @@ int run_unfold(const UnfoldArguments& arguments) {
   if (cut->cut > 0) report(file, cut_faces_message(cut->cut));
   auto graph = FacetGraph::build(cut->mesh);
   if (!graph.ok()) return failure(arguments.file, graph.error());
-  const auto unfolded =
-      unfold(std::make_shared<const FacetGraph>(std::move(graph).value()), settings, arguments.options);
+  const auto unfolded = [&] {
+    const ProgressLine line(arguments.file, "unfolding");
+    return unfold(std::make_shared<const FacetGraph>(std::move(graph).value()), settings, arguments.options,
+                  {}, line.progress());
+  }();
   if (!unfolded.ok()) return failure(arguments.file, unfolded.error());
   const std::vector<Message> messages = unfolding_messages(*unfolded);
   report(file, messages);

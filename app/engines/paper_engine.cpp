@@ -236,7 +236,7 @@ void PaperEngine::search() {
     std::optional<Unfolding> unfolding;
   };
   searches_.run_cancellable(
-      PaperState::search_text,
+      translatable("Unfolding the model"),
       [document, paper, present](const CancelToken& cancel, const Progress& progress) {
         Found found;
         found.made = present.mesh ? present : make_paper_mesh(document, paper, cancel, progress.part(0, 0.1));
@@ -254,11 +254,15 @@ void PaperEngine::search() {
           found.made.fault = {{unfolded.error()}, {}};
         return found;
       },
-      [this, source, paper, opened = editor_.documents](const Found& found) {
+      [this, source, paper, before = document.paper, opened = editor_.documents](const Found& found) {
         searching_ = false;
         if (opened != editor_.documents) return;
         const auto& faults = found.made.fault.messages;
         if (!faults.empty() && faults.front().code == e_cancelled) return editor_.notify(faults.front());
+        // Settings and cuts that were chosen meanwhile stay; the search knew none of them.
+        const auto& now = editor_.history.current().paper;
+        if (now != before && !(now && before && *now == *before))
+          return editor_.warn("The paper model was changed while it was unfolded. Unfold it again.");
         take_mesh(found.made, source);
         if (!found.unfolding) {
           if (!faults.empty()) editor_.notify(faults.front());
@@ -273,7 +277,8 @@ void PaperEngine::search() {
         state.remember(state.layout);
         state.selected = no_index;
         state.wants_framing = true;
-      });
+      },
+      Job::Kind::unfolding);
 }
 
 }  // namespace hariko

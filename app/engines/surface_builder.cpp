@@ -66,11 +66,15 @@ void add_face_shapes(const PolyhedronSource& source, std::vector<Message>& warni
 }
 
 /// Display density: as requested; higher on small models, whose outlines would show corners, and lower where
-/// the whole would exceed what a screen can use.
-int density_of(const Object& object, const Surface& surface, SurfaceMap map) {
+/// the whole would exceed what a screen can use. Stripes show the corners of triangles most: there are more
+/// of them as soon as no gesture runs.
+int density_of(const Object& object, const Surface& surface, SurfaceMap map, Quality quality) {
   if (is_faceted(object)) return facet_density(map, surface.patch_count());
-  constexpr double smooth_budget = 30'000, largest_budget = 2'000'000;  // triangles
-  constexpr int smooth_density = 24;
+  const bool stripes =
+      quality == Quality::final && (map == SurfaceMap::zebra || map == SurfaceMap::isophotes);
+  constexpr double largest_budget = 2'000'000;  // triangles
+  const double smooth_budget = stripes ? 200'000 : 30'000;
+  const int smooth_density = stripes ? 32 : 24;
   const auto within = [&](double budget) {
     return display_density(surface.patch_count(), surface.domain(), budget);
   };
@@ -175,7 +179,7 @@ MapPlace SurfaceBuilder::place_of(const Object& object, const MapSurroundings& s
 void SurfaceBuilder::take_mesh(const Object& object, const MapSurroundings& surroundings, bool fresh,
                                SurfaceView& view, const CancelToken& cancel) {
   const SurfaceMap map = possible_map(object);
-  const int density = density_of(object, last_.surface, map);
+  const int density = density_of(object, last_.surface, map, view.quality);
   const bool same_look = base_mesh_ && map == map_ && base_mesh_->options().density == density &&
                          same_values(surroundings, surroundings_) &&
                          (!rough_ || view.quality == Quality::drag);

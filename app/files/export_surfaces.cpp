@@ -33,7 +33,8 @@ Result<NamedMesh> tessellated(const Document& document, const Object& object, in
   if (!built.ok()) return built.error();
   progress.report(0.6);
   const auto n = static_cast<std::size_t>(density);
-  triangles += built->surface.patch_count() * n * n * place_count(object);
+  const std::size_t of_patch = n * n * (built->surface.domain() == Domain::triangle ? 1 : 2);
+  triangles += built->surface.patch_count() * of_patch * place_count(object);
   if (triangles > max_triangles) return beyond_limit();
   return NamedMesh{object.name, tessellate(built->surface, density, cancel), colour_of(object),
                    built->warnings};

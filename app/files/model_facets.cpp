@@ -12,6 +12,7 @@
 #include "core/exchange/mesh_file.hpp"
 #include "core/exchange/repair/clean_part.hpp"
 #include "core/modeling/surfacing/object_surfacer.hpp"
+#include "core/polyhedron/validation.hpp"
 #include "core/unfolding/facet_graph.hpp"
 #include "core/unfolding/join_corners.hpp"
 
@@ -152,14 +153,24 @@ std::size_t turn_part_outwards(PolygonMesh& mesh) {
   return count;
 }
 
-/// Repairs parts that cannot be unfolded, or warns that they can be repaired.
+/// W_INSIDE_OUT about so many faces.
+Message print_inside_message(std::size_t faces) {
+  return make_warning(w_inside_out,
+                      counted(faces, " face belongs to a closed part", " faces belong to closed parts") +
+                          " inside out: the print comes to lie inside.",
+                      "Turn what is inside out while opening the file (--repair).");
+}
+
+/// Repairs parts that cannot be unfolded or are inside out, or warns that they can be repaired.
 void repair_parts(std::vector<ImportedPart>& parts, bool repair, std::vector<Message>& warnings) {
   RepairReport done;
   bool faulty = false, helps = true;
-  std::size_t outwards = 0;
+  std::size_t inside_out = 0;
   for (ImportedPart& part : parts) {
     if (unfolding_errors(part.mesh, 1).empty()) {
-      if (repair) outwards += turn_part_outwards(part.mesh);
+      PolygonMesh turned = part.mesh;
+      inside_out += turn_part_outwards(turned);
+      if (repair) part.mesh = std::move(turned);
       continue;
     }
     faulty = true;
@@ -169,7 +180,8 @@ void repair_parts(std::vector<ImportedPart>& parts, bool repair, std::vector<Mes
     add_counts(done, repaired->report);
     if (repair) part.mesh = std::move(repaired).value().mesh;
   }
-  if (outwards > 0) warnings.push_back(turned_outwards_message(outwards));
+  if (inside_out > 0)
+    warnings.push_back(repair ? turned_outwards_message(inside_out) : print_inside_message(inside_out));
   if (!faulty) return;
   if (repair)
     warnings.push_back(repaired_message(done));
@@ -228,16 +240,19 @@ Result<ModelFacets> document_facets(const Document& document, std::span<const Ob
 }
 
 Result<ModelFacets> model_facets(const std::filesystem::path& file, const FacetOptions& options,
-                                 const Reading& reading, const CancelToken& cancel) {
+                                 const Reading& reading, const CancelToken& cancel,
+                                 const Progress& progress) {
+  constexpr double opening = 0.3;  // share of the time; meshing takes the rest
   FacetOptions meshing = options;
   if (format_of_extension(file)) {
-    auto scene = read_scene_file(file, {.cancel = cancel, .progress = {}});
+    auto scene = read_scene_file(file, {.cancel = cancel, .progress = progress.part(0, opening)});
     if (!scene.ok()) return scene.error();
     if (scene->patches.empty()) return polygons_of_file(std::move(scene).value(), reading);
     meshing.of_polyhedra = true;  // polygons beside patches stay unchanged
   }
-  OpenedFile opened = open_file(file, cancel, {}, join_choice(reading));
+  OpenedFile opened = open_file(file, cancel, progress.part(0, opening), join_choice(reading));
   if (reading.repair) turn_outwards(opened);
+  if (auto warning = inside_out_message(opened)) opened.messages.push_back(*std::move(warning));
   const bool repairs = !opened.document && reading.repair && opened.repaired;
   const auto& document = repairs ? opened.repaired : opened.document;
   if (!document) {
@@ -249,7 +264,8 @@ Result<ModelFacets> model_facets(const std::filesystem::path& file, const FacetO
                   [](const Message& message) { return message.severity == Severity::error; });
     opened.messages.push_back(repaired_message(opened.repair));
   }
-  auto facets = document_facets(*document, unfoldable_objects(*document), meshing, cancel);
+  auto facets =
+      document_facets(*document, unfoldable_objects(*document), meshing, cancel, progress.part(opening, 1));
   for (Message& warning : left_out_of_triangles(*document)) opened.messages.push_back(std::move(warning));
   if (facets.ok())
     facets.value().warnings.insert(facets.value().warnings.begin(), opened.messages.begin(),

@@ -44,6 +44,7 @@ Result<ModelFacets> document_facets(const Document& document, std::span<const Ob
 /// the visible objects are used. Warnings: those of opening; W_REPAIRED; W_CAN_BE_OPENED where a repair would
 /// help. Errors: as `document_facets`, and those of reading.
 Result<ModelFacets> model_facets(const std::filesystem::path& file, const FacetOptions& options,
-                                 const Reading& reading = {}, const CancelToken& cancel = {});
+                                 const Reading& reading = {}, const CancelToken& cancel = {},
+                                 const Progress& progress = {});
 
 }  // namespace hariko

@@ -13,19 +13,19 @@ DisplaySettings display_of(const CadPart& part) {
   return out;
 }
 
-Result<Document> with_object(const Document& document, const std::string& name, Source source,
+Result<Document> with_object(Document document, const std::string& name, Source source,
                              const DisplaySettings& display, bool visible = true) {
-  auto added = add_object(document, name, std::move(source), {}, display);
+  auto added = add_object(std::move(document), name, std::move(source), {}, display);
   if (!added.ok()) return added.error();
   return visible ? Result<Document>(std::move(added).value().document)
                  : set_visible(added->document, added->id, false);
 }
 
-Result<Document> with_patches(const Document& document, std::vector<BezierPatch> patches,
-                              const std::string& name, const DisplaySettings& display, bool visible) {
+Result<Document> with_patches(Document document, std::vector<BezierPatch> patches, const std::string& name,
+                              const DisplaySettings& display, bool visible) {
   auto source = BezierSource::from_patches(std::move(patches));
   if (!source.ok()) return source.error();
-  return with_object(document, name, std::move(source).value(), display, visible);
+  return with_object(std::move(document), name, std::move(source).value(), display, visible);
 }
 
 /// Adds the objects of a part: patches, facets, and the exact patches of triangulated spline faces, which are
@@ -34,20 +34,20 @@ Result<Document> with_part(Document document, CadPart part, const std::string& n
   const DisplaySettings display = display_of(part);
   const bool both = !part.patches.empty() && part.mesh.face_count() > 0;
   if (!part.patches.empty()) {
-    auto next = with_patches(document, std::move(part.patches), name, display, part.visible);
+    auto next = with_patches(std::move(document), std::move(part.patches), name, display, part.visible);
     if (!next.ok()) return next;
     document = std::move(next).value();
   }
   if (part.mesh.face_count() > 0) {
     auto source = MeshSource::from_mesh(std::move(part.mesh));
     if (!source.ok()) return source.error();
-    auto next = with_object(document, both ? name + " (mesh)" : name, std::move(source).value(), display,
-                            part.visible);
+    auto next = with_object(std::move(document), both ? name + " (mesh)" : name, std::move(source).value(),
+                            display, part.visible);
     if (!next.ok()) return next;
     document = std::move(next).value();
   }
   if (part.also_exact.empty()) return document;
-  return with_patches(document, std::move(part.also_exact), name + " (patches)", display, false);
+  return with_patches(std::move(document), std::move(part.also_exact), name + " (patches)", display, false);
 }
 
 }  // namespace

@@ -173,7 +173,8 @@ class MeshObjects {
   template <class Made>
   static void put(std::optional<Document>& document, const std::string& name, const Result<Made>& source) {
     if (!document) return;
-    auto added = source.ok() ? add_object(*document, name, *source) : Result<Added>(source.error());
+    auto added =
+        source.ok() ? add_object(*std::move(document), name, *source) : Result<Added>(source.error());
     if (added.ok())
       document = std::move(added).value().document;
     else
@@ -223,6 +224,8 @@ void open_mesh(const std::filesystem::path& file, const CancelToken& cancel, con
   for (const NamedPatches& patches : scene.patches)
     objects.add(patches, check_name(patches.name).ok() ? patches.name : opened.name);
   objects.finish(scene.metres_per_unit);
+  // Beside a broken mesh the repair turns the others, too.
+  if (opened.repaired) opened.repair.turned_faces += turn_closed_parts_outwards(*opened.repaired);
 }
 
 /// Source of a JSON file of another layout: solids, sections or outlines.
@@ -296,9 +299,9 @@ void open_patches(const std::filesystem::path& file, OpenedFile& opened) {
     const auto source = source_of(group.patches);
     if (!take(source)) return;
     const std::string name = check_name(group.name).ok() ? group.name : opened.name;
-    const auto added = add_object(document, name, *source);
+    auto added = add_object(std::move(document), name, *source);
     if (!take(added)) return;
-    document = added->document;
+    document = std::move(added).value().document;
   }
   opened.document = std::move(document);
 }
@@ -388,7 +391,7 @@ OpenedFile open_file(const std::filesystem::path& file, const CancelToken& cance
     open_layout(file, *holds, opened);
     return opened;
   }
-  opened.native = true;
+  opened.native = opened.says_unit = true;
   auto document = load_document(file);
   if (cancel.cancelled()) return cancelled_file();
   if (document.ok())

@@ -4,11 +4,14 @@
 
 #include "app/files/reading.hpp"
 #include "core/document/edits/edits.hpp"
+#include "core/document/file.hpp"
 #include "core/modeling/operations/sharp_edges.hpp"
 
 namespace hariko {
 
 namespace {
+
+constexpr Code w_not_savable{"W_NOT_SAVABLE"};
 
 /// Faces of a source's own: facets, or those of a polyhedron.
 struct OwnFaces {
@@ -65,6 +68,12 @@ void prepare_meshes(OpenedFile& opened, const MeshImport& choice) {
     if (choice.use == MeshUse::reference && opened.reference) opened.document = opened.reference;
   }
   for (auto* document : {&opened.document, &opened.repaired, &opened.reference}) show_plainly(*document);
+  // Before work is done on what no file can hold.
+  const std::optional<Document>& least = opened.reference ? opened.reference : opened.document;
+  if (least && has_too_large_meshes(*least))
+    opened.messages.push_back(
+        make_warning(w_not_savable, "The mesh has so many faces that the document cannot be saved.",
+                     "Make it coarser first, by hariko mesh or in the program that it comes from."));
 }
 
 }  // namespace hariko

@@ -9,8 +9,8 @@ namespace hariko {
 
 /// Applies the choices to the documents of a mesh file: adds creases, and replaces meshes by reference facets
 /// where chosen. Sets `dense_faces` to the number of faces of the densest mesh where the user is to be asked;
-/// `reference` then exists, too. Sets `inside_out`. Dense meshes are shown without points and edges. Other
-/// files stay unchanged.
+/// `reference` then exists, too. Sets `inside_out`. Dense meshes are shown without points and edges. Adds
+/// W_NOT_SAVABLE where a document has no room for the mesh. Other files stay unchanged.
 void prepare_meshes(OpenedFile& opened, const MeshImport& choice);
 
 }  // namespace hariko

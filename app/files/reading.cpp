@@ -7,20 +7,20 @@
 #include "core/base/assert.hpp"
 #include "core/modeling/operations/flip.hpp"
 #include "core/polyhedron/mesh_warnings.hpp"
+#include "core/polyhedron/validation.hpp"
 
 namespace hariko {
 
 namespace {
 
-/// Faces of the closed parts that are inside out.
+/// Faces of the closed parts that are inside out, and of their cavities, which turn with them.
 std::vector<FaceId> faces_inside_out(const Polyhedron& polyhedron) {
-  const HalfEdgeMesh& topology = polyhedron.topology();
-  const std::vector<char> wrong = inside_out_components(topology, polyhedron.positions());
+  const std::vector<char> wrong = inside_out_components(polyhedron.topology(), polyhedron.positions());
   std::vector<FaceId> out;
   if (std::find(wrong.begin(), wrong.end(), 1) == wrong.end()) return out;
-  const std::vector<Index> component = topology.face_components();
+  const PolygonMesh given = polyhedron.to_mesh(), turned = orient_where_possible(given);
   for (Index f = 0; f < polyhedron.face_count(); ++f)
-    if (wrong[component[f]]) out.push_back(polyhedron.face_id(f));
+    if (!std::ranges::equal(given.face(f), turned.face(f))) out.push_back(polyhedron.face_id(f));
   return out;
 }
 
@@ -44,10 +44,17 @@ std::size_t parts_inside_out(const Document& document) {
   return count;
 }
 
-void turn_outwards(OpenedFile& opened) {
-  if (!opened.document || !opened.meshes) return;
+std::optional<Message> inside_out_message(const OpenedFile& opened) {
+  const std::size_t count = opened.document && opened.meshes ? parts_inside_out(*opened.document) : 0;
+  if (count == 0) return {};
+  return make_warning(w_inside_out,
+                      counted(count, " closed part is inside out.", " closed parts are inside out."),
+                      "Turn what is inside out while opening the file (--repair).");
+}
+
+std::size_t turn_closed_parts_outwards(Document& document) {
   std::size_t turned = 0;
-  for (auto& object : opened.document->objects) {
+  for (auto& object : document.objects) {
     const PolyhedronSource* source = object->polyhedron();
     const std::vector<FaceId> faces = source ? faces_inside_out(source->polyhedron) : std::vector<FaceId>();
     if (faces.empty()) continue;
@@ -58,6 +65,12 @@ void turn_outwards(OpenedFile& opened) {
     object = std::move(changed);
     turned += faces.size();
   }
+  return turned;
+}
+
+void turn_outwards(OpenedFile& opened) {
+  if (!opened.document || !opened.meshes) return;
+  const std::size_t turned = turn_closed_parts_outwards(*opened.document);
   if (turned > 0) opened.messages.push_back(turned_outwards_message(turned));
 }
 

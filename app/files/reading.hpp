@@ -2,6 +2,7 @@
 
 // Choices for reading meshes of other programs, and messages about them.
 
+#include <optional>
 #include <string>
 
 #include "app/files/open_file.hpp"
@@ -28,8 +29,12 @@ JoinChoice join_choice(const Reading& reading);
 /// Number of closed parts of a document's polyhedra that are inside out. O(faces), and O(n log n) where some
 /// look inwards and some outwards.
 std::size_t parts_inside_out(const Document& document);
-/// Turns closed parts of a mesh file's polyhedra outwards that are inside out; W_TURNED_OUTWARDS counts their
+/// W_INSIDE_OUT with the number of such parts in a mesh file; nothing where there are none.
+std::optional<Message> inside_out_message(const OpenedFile& opened);
+/// Turns closed parts of a document's polyhedra outwards that are inside out; returns the number of their
 /// faces.
+std::size_t turn_closed_parts_outwards(Document& document);
+/// The same for a mesh file's document; W_TURNED_OUTWARDS counts the faces.
 void turn_outwards(OpenedFile& opened);
 /// W_TURNED_OUTWARDS.
 Message turned_outwards_message(std::size_t faces);

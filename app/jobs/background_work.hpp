@@ -30,8 +30,8 @@ class BackgroundWork {
   /// Runs `work(cancel, progress)`, which the user may cancel: it should then return soon, and `done` gets
   /// its result in that case, too.
   template <class Work, class Done>
-  void run_cancellable(Phrase what, Work work, Done done) {
-    const auto job = show(std::move(what), true);
+  void run_cancellable(Phrase what, Work work, Done done, Job::Kind kind = Job::Kind::other) {
+    const auto job = show(std::move(what), true, kind);
     submit(
         job, [job, work = std::move(work)](const CancelToken&) { return work(job->cancel, job->progress); },
         std::move(done));
@@ -46,9 +46,9 @@ class BackgroundWork {
  private:
   using SharedJob = std::shared_ptr<const Job>;
 
-  SharedJob show(Phrase what, bool can_be_cancelled) {
+  SharedJob show(Phrase what, bool can_be_cancelled, Job::Kind kind = Job::Kind::other) {
     shown_.push_back(std::make_shared<const Job>(
-        Job{std::move(what), can_be_cancelled, CancelToken::make(), Progress::make()}));
+        Job{std::move(what), can_be_cancelled, CancelToken::make(), Progress::make(), kind}));
     editor_.jobs.push_back(shown_.back());
     return shown_.back();
   }

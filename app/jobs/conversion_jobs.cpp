@@ -45,10 +45,11 @@ void ConversionJobs::convert(ObjectId id) {
   const Work work = object ? work_on(object) : Work();
   if (!work) return;
   if (converting_) converting_->cancel.cancel();
-  work_.run_cancellable(Phrase(translatable("Converting {0}"), {object->name}), work,
-                        [this, object, number = ++conversions_](const Result<Made>& made) {
-                          if (number == conversions_) take(*object, made);
-                        });
+  work_.run_cancellable(
+      Phrase(translatable("Converting {0}"), {object->name}), work,
+      [this, object, number = ++conversions_, documents = editor_.documents](const Result<Made>& made) {
+        if (number == conversions_ && documents == editor_.documents) take(*object, made);
+      });
   converting_ = editor_.jobs.back();
 }
 

@@ -49,7 +49,11 @@ void ExchangeJobs::import_file(const std::filesystem::path& path, const MeshAnsw
       [path, answers, choice = editor_.mesh_import](const CancelToken& cancel, const Progress& progress) {
         return open_as_answered(path, answers, choice, cancel, progress);
       },
-      [this, path, answers](const OpenedFile& opened) {
+      [this, path, answers, begun = editor_.has_document,
+       documents = editor_.documents](const OpenedFile& opened) {
+        if (begun && documents != editor_.documents && (opened.document || opened.broken_mesh))
+          return editor_.warn({"{0} was not imported, as another document was opened meanwhile.",
+                               {path.filename().string()}});
         import_opened(path, std::make_shared<const OpenedFile>(opened), answers);
       });
 }
@@ -94,7 +98,9 @@ void ExchangeJobs::add_imported(const std::filesystem::path& path, const Documen
     return;
   editor_.tell_script({WrittenCommand{"file.import", {written("path", path.string())}}});
   editor_.selection.clear_elements();
-  editor_.selection.active = editor_.document().objects.back()->id;
+  editor_.selection.clear_objects();
+  // A document may bring saved views alone.
+  if (!fitting->objects.empty()) editor_.selection.active = editor_.document().objects.back()->id;
   editor_.frame_all();
   warn(warnings);
   log_("imported", path);
@@ -122,11 +128,13 @@ void ExchangeJobs::count_export(const std::filesystem::path& path, const ExportS
 }
 
 void ExchangeJobs::count_cad(const CadSettings& settings) {
-  count([settings, document = document_to_export(settings.only_selected)](
-            const CancelToken& cancel) { return hariko::count_cad(document, settings.choices, cancel); },
-        [this, settings](const Result<CadTotals>& counted) {
-          workbench_.files().take_cad_count(settings, counted);
-        });
+  count(
+      [settings, document = document_to_export(settings.only_selected)](const CancelToken& cancel) {
+        return hariko::count_cad(document, settings.choices, cancel, settings.wall);
+      },
+      [this, settings](const Result<CadTotals>& counted) {
+        workbench_.files().take_cad_count(settings, counted);
+      });
 }
 
 Document ExchangeJobs::document_to_export(bool only_selected) const {
@@ -161,7 +169,8 @@ void ExchangeJobs::export_cad(const std::filesystem::path& path, const CadSettin
   work_.run_cancellable(
       exporting(path),
       [path, settings, document = std::move(document)](const CancelToken& cancel, const Progress& progress) {
-        return hariko::export_cad(document, path, settings.choices, header_time(), cancel, progress);
+        return hariko::export_cad(document, path, settings.choices, header_time(), cancel, progress,
+                                  settings.wall);
       },
       when_written(path, [this, path, unit, left_out = std::move(left_out)](const CadExportReport& exported) {
         warn(left_out);

@@ -34,6 +34,17 @@ struct ExportMeshes {
     for (const NamedMesh& mesh : meshes) out.push_back({mesh.name, &mesh.mesh, mesh.colour});
     return out;
   }
+  /// Warnings of the meshing, such as tolerances that were not reached.
+  std::vector<Message> warnings() const {
+    std::vector<Message> out;
+    const auto add = [&](const std::vector<Message>& own) { out.insert(out.end(), own.begin(), own.end()); };
+    for (const MeshedObject& object : tolerated) {
+      add(object.warnings);
+      add(object.result.warnings);
+    }
+    for (const NamedMesh& mesh : meshes) add(mesh.warnings);
+    return out;
+  }
 };
 
 Result<ExportMeshes> export_meshes(const Document& document, const std::filesystem::path& path,
@@ -41,7 +52,7 @@ Result<ExportMeshes> export_meshes(const Document& document, const std::filesyst
                                    const CancelToken& cancel, const Progress& progress) {
   ExportMeshes out;
   if (settings.by == ExportSettings::By::density) {
-    auto made = density_meshes(document, settings.density, cancel, progress);
+    auto made = density_meshes(document, settings.density, cancel, progress, settings.wall);
     if (!made.ok()) return made.error();
     out.meshes = std::move(made).value();
     return out;
@@ -49,6 +60,7 @@ Result<ExportMeshes> export_meshes(const Document& document, const std::filesyst
   MeshRequest request{options_of(settings)};
   request.options.report = report;
   request.digits = file_digits(document, path, write_options(document, settings.choices));
+  request.wall = settings.wall;
   auto made = mesh_surfaces(document, request, cancel, progress);
   if (!made.ok()) return made.error();
   out.tolerated = std::move(made).value();
@@ -94,7 +106,7 @@ ExportReport report_of(std::span<const NamedTriangles> meshes, double scale,
 Result<ExportCount> count_triangles(const Document& document, const std::filesystem::path& path,
                                     const ExportSettings& settings, const CancelToken& cancel) {
   const bool exact = file_numbers(path, {}).kind == FileNumbers::Kind::exact;
-  if (exact && settings.by == ExportSettings::By::density)
+  if (exact && settings.by == ExportSettings::By::density && settings.wall.none())
     return count_by_density(document, settings.density, cancel);
   auto made = export_meshes(document, path, settings, MeshReport::all, cancel, {});
   if (!made.ok()) return made.error();
@@ -134,8 +146,8 @@ Result<ExportReport> export_triangles(const Document& document, const std::files
   for (const FileRounding& rounding : written->rounding) report.triangles -= rounding.left_out;
   report.moved = written->moved;
   report.warnings = left_out_of_triangles(document);
-  const std::vector<Message>& own = written->warnings;
-  report.warnings.insert(report.warnings.end(), own.begin(), own.end());
+  for (const std::vector<Message>& own : {written->warnings, made->warnings()})
+    report.warnings.insert(report.warnings.end(), own.begin(), own.end());
   return report;
 }
 

@@ -62,8 +62,12 @@ void ReferenceJobs::add(const std::vector<fs::path>& files) {
         for (const fs::path& file : files) out.push_back(read(file, false));
         return out;
       },
-      [this, camera = editor_.layout.active_view().goal(),
-       view = editor_.viewport](const std::vector<Read>& read) { take(read, camera, view); });
+      [this, camera = editor_.layout.active_view().goal(), view = editor_.viewport,
+       documents = editor_.documents](const std::vector<Read>& read) {
+        if (documents == editor_.documents) return take(read, camera, view);
+        editor_.warn({"{0} was not added, as another document was opened meanwhile.",
+                      {name_of_file(read.front().path)}});
+      });
 }
 
 void ReferenceJobs::take(const std::vector<Read>& files, const Camera& camera, PixelSize view) {
@@ -141,8 +145,8 @@ void ReferenceJobs::pack(const std::vector<ObjectId>& pictures) {
         }
         return out;
       },
-      [this](const std::vector<std::pair<ObjectId, Read>>& read) {
-        take_files(read, translatable("Pack picture"), "picture_packed");
+      [this, documents = editor_.documents](const std::vector<std::pair<ObjectId, Read>>& read) {
+        if (documents == editor_.documents) take_files(read, translatable("Pack picture"), "picture_packed");
       });
 }
 
@@ -155,8 +159,9 @@ void ReferenceJobs::unpack(ObjectId picture, const fs::path& file) {
         if (auto written = write_file_atomic(path, *bytes); !written) return Read{path, written.error()};
         return read(path, false);
       },
-      [this, picture](const Read& read) {
-        take_files({{picture, read}}, translatable("Unpack picture"), "picture_unpacked");
+      [this, picture, documents = editor_.documents](const Read& read) {
+        if (documents == editor_.documents)
+          take_files({{picture, read}}, translatable("Unpack picture"), "picture_unpacked");
       });
 }
 
@@ -164,8 +169,9 @@ void ReferenceJobs::replace(ObjectId picture, const fs::path& file) {
   work_.run(
       Phrase(translatable("Reading {0}"), {name_of_file(file)}),
       [file](const CancelToken&) { return read(file, false); },
-      [this, picture](const Read& read) {
-        take_files({{picture, read}}, translatable("Choose another picture"), "picture_replaced");
+      [this, picture, documents = editor_.documents](const Read& read) {
+        if (documents == editor_.documents)
+          take_files({{picture, read}}, translatable("Choose another picture"), "picture_replaced");
       });
 }
 
@@ -190,8 +196,9 @@ void ReferenceJobs::find(const fs::path& file) {
         }
         return out;
       },
-      [this](const std::vector<std::pair<ObjectId, Read>>& read) {
-        take_files(read, translatable("Find missing pictures"), "pictures_found");
+      [this, documents = editor_.documents](const std::vector<std::pair<ObjectId, Read>>& read) {
+        if (documents == editor_.documents)
+          take_files(read, translatable("Find missing pictures"), "pictures_found");
       });
 }
 

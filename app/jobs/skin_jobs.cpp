@@ -12,16 +12,16 @@ namespace hariko {
 void SkinJobs::add_section(ObjectId id, double place) {
   // Ignores a repeated request, as by two clicks on one spot.
   for (const WantedSection& wanted : wanted_)
-    if (wanted.object == id && wanted.place == place) return;
-  wanted_.push_back({id, place});
+    if (wanted.object == id && wanted.place == place && wanted.documents == editor_.documents) return;
+  wanted_.push_back({id, place, editor_.documents});
   if (wanted_.size() == 1) make_section();
 }
 
 void SkinJobs::make_section() {
   while (!wanted_.empty()) {
-    const auto [id, place] = wanted_.front();
+    const auto [id, place, documents] = wanted_.front();
     const auto object = editor_.history.current().find_shared(id);
-    if (!object || !object->skin()) {
+    if (documents != editor_.documents || !object || !object->skin()) {
       wanted_.pop_front();
       continue;
     }
@@ -46,11 +46,12 @@ void SkinJobs::settle() {
   if (!made_ || editor_.history.in_gesture()) return;
   const MadeSection made = *std::move(made_);
   made_.reset();
+  const bool here = wanted_.front().documents == editor_.documents;
   wanted_.pop_front();
   // It may have been finished when it was cancelled.
   if (adding_->cancel.cancelled() || (!made.edit.ok() && made.edit.error().code == e_cancelled))
     wanted_.clear();
-  else
+  else if (here)
     take(made);
   make_section();
 }
@@ -80,8 +81,8 @@ void SkinJobs::follow(RebuildEngine& engine) {
       least = std::min(least, share);
   if (least < 1) {
     if (!placing_) {
-      placing_ =
-          std::make_shared<const Job>(Job{placing_columns_job, true, CancelToken::make(), Progress::make()});
+      placing_ = std::make_shared<const Job>(Job{translatable("Placing columns"), true, CancelToken::make(),
+                                                 Progress::make(), Job::Kind::placing_columns});
       editor_.jobs.insert(editor_.jobs.begin(), placing_);
     }
     placing_->progress.report(least);

@@ -2,6 +2,7 @@
 
 // SkinJobs: slow work on skins, off the main thread.
 
+#include <cstdint>
 #include <deque>
 #include <filesystem>
 #include <functional>
@@ -24,7 +25,8 @@ class SkinJobs {
 
   /// Requests a section taken from the surface of a skin at a place of its path. Requests are carried out in
   /// order, one undoable step each, by `settle`, which then selects the new points. A skin that changed
-  /// meanwhile stays as it is, and a notice says so; cancelling one section cancels those that wait.
+  /// meanwhile stays as it is, and a notice says so; cancelling one section cancels those that wait. With
+  /// another document open they are dropped.
   void add_section(ObjectId object, double place);
   /// Shows a job while a surface waits for the places of its columns; cancelling it stops the rebuild.
   void follow(RebuildEngine& engine);
@@ -36,6 +38,7 @@ class SkinJobs {
   struct WantedSection {
     ObjectId object;
     double place;
+    std::uint64_t documents;  ///< `Editor::documents` of the document that it is for
   };
   struct MadeSection {
     std::shared_ptr<const Object> object;  ///< as when the section was taken

@@ -16,9 +16,9 @@ namespace hariko {
 class Autosaver {
  public:
   /// Identifies a state of a document: `epoch` differs between documents, `serial` between states
-  /// (History::serial).
+  /// (History::serial), `saves` between the files that it was saved to, which its note names.
   struct State {
-    std::uint64_t epoch = 0, serial = 0;
+    std::uint64_t epoch = 0, serial = 0, saves = 0;
     friend bool operator==(const State&, const State&) = default;
   };
   struct Work {

@@ -5,6 +5,7 @@
 #include <system_error>
 
 #include "core/base/text/sanitized_utf8.hpp"
+#include "core/document/edits/edit_pictures.hpp"
 #include "core/document/file.hpp"
 
 namespace hariko {
@@ -40,7 +41,8 @@ Result<Done> make_folder(const fs::path& folder) {
 bool original_holds(const RecoveryCopy& copy) {
   if (copy.note.original.empty()) return false;
   const auto original = load_document(copy.note.original);
-  return original.ok() && *original == copy.document;
+  if (!original.ok()) return false;
+  return *original == with_absolute_pictures(copy.document, copy.note.original.parent_path());
 }
 
 std::optional<Leftover> describe(const RecoverySlot& slot) {

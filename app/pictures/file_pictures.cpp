@@ -65,7 +65,7 @@ std::optional<Image> draw_picture(Renderer& renderer, const Scene& scene, PixelS
   return image;
 }
 
-ImTextureID upload_picture(const Image& image) {
+unsigned upload_picture(const Image& image) {
   GLuint texture = 0;
   glGenTextures(1, &texture);
   glBindTexture(GL_TEXTURE_2D, texture);
@@ -76,12 +76,10 @@ ImTextureID upload_picture(const Image& image) {
   glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, image.width, image.height, 0, GL_RGBA, GL_UNSIGNED_BYTE,
                image.rgba.data());
   glBindTexture(GL_TEXTURE_2D, 0);
-  // NOLINTNEXTLINE(performance-no-int-to-ptr): ImGui passes names of textures as pointers
-  return reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(texture));
+  return texture;
 }
 
-void release_picture(ImTextureID picture) {
-  const auto texture = static_cast<GLuint>(reinterpret_cast<std::uintptr_t>(picture));
+void release_picture(unsigned texture) {
   if (texture != 0) glDeleteTextures(1, &texture);
 }
 

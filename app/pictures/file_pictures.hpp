@@ -2,8 +2,6 @@
 
 // Thumbnails of documents: their scenes, pictures and textures for the interface.
 
-#include <imgui.h>
-
 #include <filesystem>
 #include <optional>
 
@@ -20,9 +18,9 @@ Camera file_camera(const Scene& scene, PixelSize size);
 
 /// Draws a thumbnail; nothing where there is nothing to show. Uses the renderer's `thumbnail_picture`.
 std::optional<Image> draw_picture(Renderer& renderer, const Scene& scene, PixelSize size);
-/// Makes a texture that lives until it is released, or as long as the GL context.
-ImTextureID upload_picture(const Image& image);
-/// Frees the texture of a picture that is not shown any more; null is allowed.
-void release_picture(ImTextureID picture);
+/// Makes a texture that lives until it is released, or as long as the GL context. Returns its name.
+unsigned upload_picture(const Image& image);
+/// Frees the texture of a picture that is not shown any more; 0 is allowed.
+void release_picture(unsigned texture);
 
 }  // namespace hariko

@@ -49,7 +49,7 @@ struct Found {
 
 }  // namespace
 
-void Pictures::request(const fs::path& file, std::function<void(ImTextureID)> done) {
+void Pictures::request(const fs::path& file, std::function<void(unsigned texture)> done) {
   background_.run(
       {},
       [file, cache = cache_](const CancelToken& cancel) {
@@ -70,7 +70,7 @@ void Pictures::request(const fs::path& file, std::function<void(ImTextureID)> do
 }
 
 void Pictures::draw(const std::string& key, const Scene& scene,
-                    const std::function<void(ImTextureID)>& done) {
+                    const std::function<void(unsigned texture)>& done) {
   const std::optional<Image> image = draw_picture(renderer_, scene, size);
   if (!image) return;
   done(textures_[key] = upload_picture(*image));

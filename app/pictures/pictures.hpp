@@ -2,8 +2,6 @@
 
 // Pictures: thumbnails of files for the start page, made once and kept in the cache.
 
-#include <imgui.h>
-
 #include <filesystem>
 #include <functional>
 #include <map>
@@ -24,16 +22,16 @@ class Pictures {
   static constexpr PixelSize size{256, 192};
 
   /// Passes the picture of a document or mesh file to `done`, now or later; never where there is none.
-  void request(const std::filesystem::path& file, std::function<void(ImTextureID)> done);
+  void request(const std::filesystem::path& file, std::function<void(unsigned texture)> done);
 
  private:
-  void draw(const std::string& key, const Scene& scene, const std::function<void(ImTextureID)>& done);
+  void draw(const std::string& key, const Scene& scene, const std::function<void(unsigned texture)>& done);
   void keep(const std::string& key, const Image& image);
 
   Renderer& renderer_;
   BackgroundWork& background_;
   std::filesystem::path cache_;
-  std::map<std::string, ImTextureID> textures_;  ///< null: no picture
+  std::map<std::string, unsigned> textures_;
 };
 
 }  // namespace hariko

@@ -82,7 +82,7 @@ void SamplePictures::give(Sample& sample, ThemeId theme) {
     own_.push_back(sample.picture.texture);
     return;
   }
-  drawn_.request(sample.path, [this, path = sample.path](ImTextureID picture) {
+  drawn_.request(sample.path, [this, path = sample.path](unsigned picture) {
     for (Sample& shown : samples_)
       if (shown.path == path) shown.picture = {picture, {1, 1}, static_cast<float>(Pictures::size.aspect())};
   });
@@ -90,7 +90,7 @@ void SamplePictures::give(Sample& sample, ThemeId theme) {
 
 void SamplePictures::forget() {
   for (Sample& sample : samples_) sample.wanted = false, sample.picture = {};
-  for (const ImTextureID picture : own_) release_picture(picture);
+  for (const unsigned texture : own_) release_picture(texture);
   own_.clear();
 }
 

@@ -39,7 +39,7 @@ class SamplePictures {
   std::filesystem::path folder_;
   std::vector<Sample>& samples_;
   Pictures& drawn_;
-  std::vector<ImTextureID> own_;
+  std::vector<unsigned> own_;  ///< textures
 };
 
 }  // namespace hariko

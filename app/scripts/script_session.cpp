@@ -168,7 +168,8 @@ void ScriptSession::import_file(const fs::path& path) {
   if (!editor_.commit(append_document(before, *fitting), "Import")) return;
   editor_.selection.clear_elements();
   editor_.selection.clear_objects();
-  editor_.selection.active = editor_.document().objects.back()->id;
+  // A document may bring saved views alone.
+  if (!fitting->objects.empty()) editor_.selection.active = editor_.document().objects.back()->id;
 }
 
 void ScriptSession::save(const fs::path& path, std::function<void()> then) {

@@ -7,6 +7,20 @@
 namespace hariko {
 namespace {
 
+/// Number of values that the mesh of an object takes in a file: rows, their numbers and ids.
+std::size_t values_of_mesh(const Object& object) {
+  if (const MeshSource* source = object.mesh()) {
+    const PolygonMesh& mesh = *source->mesh;
+    return 4 * mesh.positions.size() + mesh.face_count() + mesh.face_vertices.size();
+  }
+  if (const PolyhedronSource* source = object.polyhedron()) {
+    const HalfEdgeMesh& mesh = source->polyhedron.topology();
+    return 5 * std::size_t(mesh.vertex_count()) + 2 * std::size_t(mesh.face_count()) +
+           std::size_t(mesh.half_edge_count());
+  }
+  return 0;
+}
+
 /// Returns the text of the document after it has been read back and found equal.
 Result<std::string> verified_text(const Document& document) {
   std::string text = write_document(document);
@@ -15,6 +29,9 @@ Result<std::string> verified_text(const Document& document) {
     return make_error(e_save_verify, "The document was not saved, as its file would not open again: " + why,
                       "Save under another name, and report this as a defect of the program.");
   };
+  if (!again && again.error().code == e_limit)
+    return make_error(e_document_size, "The document was not saved: it is larger than a file may be.",
+                      "Delete or reduce its largest meshes, or unpack its pictures.");
   if (!again) return differs(to_string(again.error()));
   if (!(*again == document)) return differs("it would hold something else.");
   return text;
@@ -28,6 +45,12 @@ std::filesystem::path folder_of(const std::filesystem::path& file) {
 }
 
 }  // namespace
+
+bool has_too_large_meshes(const Document& document) {
+  std::size_t values = 0;
+  for (const auto& object : document.objects) values += values_of_mesh(*object);
+  return values > max_document_values;
+}
 
 Result<Document> load_document(const std::filesystem::path& path) {
   const Result<std::string> text = read_file(path, max_document_bytes);

@@ -127,9 +127,14 @@ Result<Prepared<Mesh>> prepare(const std::filesystem::path& path, std::span<cons
   out.named.assign(meshes.begin(), meshes.end());
   if (const auto box = box_of(meshes); options.to_zero && !box.isEmpty())
     out.report.moved = plan.space.placed(box.center());
-  if (!plan.space.is_same() || !out.report.moved.isZero(0))
+  if (!plan.space.is_same() || !out.report.moved.isZero(0)) {
     for (Mesh& mesh : out.named)
       mesh.mesh = &out.moved.emplace_back(in_space(plan.space, *mesh.mesh, out.report.moved));
+    if (const auto box = box_of(std::span<const Mesh>(out.named));
+        !box.isEmpty() && !(box.min().allFinite() && box.max().allFinite()))
+      return in_file(path, make_error(e_limit, "Coordinates would be too large for any number in a file.",
+                                      "Choose a smaller scale."));
+  }
   FileNumbers numbers = file_numbers(path, options);
   numbers.scale /= plan.space.factor;
   for (Mesh& mesh : out.named) {

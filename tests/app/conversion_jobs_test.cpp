@@ -73,5 +73,16 @@ TEST(ConversionJobs, SolidsThatWereChangedMeanwhileStay) {
   EXPECT_EQ(rig.editor.notices()[0].kind, Notice::Kind::warning);
 }
 
+TEST(ConversionJobs, NothingLandsInADocumentThatWasOpenedMeanwhile) {
+  ConversionRig rig;
+  rig.jobs.convert(rig.objects()[0]->id);
+  const Document same = rig.editor.history.current();
+  rig.editor.open(same, {});
+  rig.finish();
+  EXPECT_EQ(rig.objects().size(), 1U);
+  EXPECT_EQ(rig.converted, 0);
+  EXPECT_TRUE(rig.editor.notices().empty());
+}
+
 }  // namespace
 }  // namespace hariko

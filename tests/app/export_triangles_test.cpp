@@ -1,9 +1,13 @@
 #include "app/jobs/export_triangles.hpp"
 
+#include <numbers>
+
 #include "app/files/open_file.hpp"
+#include "core/approximation/mesh_options.hpp"
 #include "core/document/edits/edits.hpp"
 #include "core/exchange/mesh_file.hpp"
 #include "core/polyhedron/validation.hpp"
+#include "tests/support/places.hpp"
 #include "tests/support/random_polyhedra.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -38,6 +42,24 @@ TEST(ExportTriangles, WhatWasCountedIsWritten) {
   }
 }
 
+TEST(ExportTriangles, WallsAreCountedAndWritten) {
+  const test::TemporaryFolder folder;
+  const Document document = document_from_mesh(test::torus(8, 6), "Torus").value();
+  for (const auto by : {ExportSettings::By::tolerance, ExportSettings::By::density}) {
+    ExportSettings settings;
+    settings.by = by;
+    settings.distance = 0.05;
+    settings.density = 4;
+    const auto bare = test::must(count_triangles(document, "a.ply", settings, {}));
+    settings.wall.thickness = 0.01;
+    const auto walled = test::must(count_triangles(document, "a.ply", settings, {}));
+    EXPECT_GT(walled->triangles, bare->triangles);
+    if (by == ExportSettings::By::density) EXPECT_EQ(walled->triangles, 2 * bare->triangles);
+    const auto report = test::must(export_triangles(document, folder.path() / "a.ply", settings, {}, {}));
+    EXPECT_EQ(report->triangles, walled->triangles);
+  }
+}
+
 TEST(ExportTriangles, TolerancesAreLengthsOfTheDocument) {
   const Document document = document_from_mesh(test::torus(8, 6), "Torus").value();
   Similarity large{.scale = 1000};
@@ -60,6 +82,19 @@ TEST(ExportTriangles, SmallerTolerancesAndAnglesNeedMore) {
   EXPECT_LE(turned->angle, 0.1);
   settings.distance = -1;
   EXPECT_EQ(count_triangles(document, "a.ply", settings, {}).error().code, Code{"E_MESH_TOLERANCE"});
+}
+
+TEST(ExportTriangles, AToleranceThatIsNotReachedIsTold) {
+  const test::TemporaryFolder folder;
+  // The points of the rim turn their normals at once.
+  const OpenedFile opened = open_file(test::source_folder() + "/assets/samples/fig5d.hariko");
+  ASSERT_TRUE(opened.document);
+  ExportSettings settings{.distance = 10};
+  settings.angle = std::numbers::pi / 180;
+  const auto report =
+      test::must(export_triangles(*opened.document, folder.path() / "a.obj", settings, {}, {}));
+  ASSERT_EQ(report->warnings.size(), 1U);
+  EXPECT_EQ(report->warnings[0].code, w_mesh_unreached);
 }
 
 TEST(ExportTriangles, CancelledCountsEndAndFilesStay) {

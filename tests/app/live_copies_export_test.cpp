@@ -8,6 +8,8 @@
 #include "app/files/export_surfaces.hpp"
 #include "app/files/mesh_surfaces.hpp"
 #include "app/files/model_facets.hpp"
+#include "core/document/edits/edit_copies.hpp"
+#include "core/document/edits/edit_objects.hpp"
 #include "core/modeling/objects/arrange.hpp"
 #include "tests/offset/walls.hpp"
 #include "tests/support/random_polyhedra.hpp"
@@ -91,6 +93,19 @@ TEST(LiveCopiesInFiles, TrianglesOfMirrorImagesLookOutward) {
     const Vector3 wanted = place.apply(back.apply(own.origin + own.positions[v]));
     EXPECT_LT((image.origin + image.positions[v] - wanted).norm(), 1e-9);
   }
+}
+
+TEST(LiveCopiesInFiles, SquaresAreTwoTrianglesForTheLimit) {
+  BicubicNet net{1, 1, {}};
+  for (int j = 0; j < 4; ++j)
+    for (int i = 0; i < 4; ++i) net.points.emplace_back(i, j, 0);
+  const auto added = test::must(add_object(Document{}, "Square", PatchSource::from_net(net).value()));
+  const auto row_of = [&](int count) {
+    return test::must(set_copies(added->document, added->id, {RowOfCopies{count, {4, 0, 0}}}));
+  };
+  const auto few = test::must(density_meshes(*row_of(2), 4));
+  EXPECT_EQ((*few)[0].mesh.triangles.size(), 32U);
+  test::must_fail(density_meshes(*row_of(200), 256), e_too_many_triangles);  // 26 million
 }
 
 TEST(LiveCopiesInFiles, MirrorImagesKeepTheTolerance) {

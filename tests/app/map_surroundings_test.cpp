@@ -69,6 +69,21 @@ TEST(MapSurroundings, LeaveOutWhatAMapDoesNotDependOn) {
   }
 }
 
+/// With 13 intervals along the sides of its patches the zebra of a mouse had corners.
+TEST(SurfaceBuilders, DrawStripesFinerWhileNothingIsDragged) {
+  const auto density = [](SurfaceMap map, Quality quality) {
+    const Document document = two_equal_cubes(map);
+    SurfaceBuilder builder;
+    const SurfaceView view = builder.build(document.objects[0], {}, {}, quality, {});
+    return view.mesh ? view.mesh->options().density : 0;
+  };
+  const int shaded = density(SurfaceMap::shaded, Quality::final);
+  EXPECT_GT(shaded, 0);
+  EXPECT_GT(density(SurfaceMap::zebra, Quality::final), shaded);
+  EXPECT_GT(density(SurfaceMap::isophotes, Quality::final), shaded);
+  EXPECT_EQ(density(SurfaceMap::zebra, Quality::drag), shaded);
+}
+
 struct RealEngine {
   int published = 0;
   RebuildEngine engine{[] { return std::make_unique<SurfaceBuilder>(); },

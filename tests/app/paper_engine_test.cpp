@@ -30,5 +30,36 @@ TEST(PaperEngine, ReferenceFacetsAreUnfoldedAsTheyAreBesideSurfaces) {
   EXPECT_EQ(only.mesh->graph->face_count(), 6U);
 }
 
+TEST(PaperEngine, WhatIsChosenDuringTheSearchStays) {
+  const Document prism = document_from_mesh(test::prism(5), "Prism").value();
+  PaperModel paper = default_paper(prism);
+  paper.of_polyhedra = true;
+  Editor editor;
+  editor.open(set_paper(prism, paper), std::nullopt);
+  BackgroundWork searches(editor, [] {});
+  PaperEngine engine(editor, searches, [] {});
+  engine.sync();  // it forgets the wishes of earlier documents
+  const auto search = [&] {
+    editor.paper.wants_unfolding = true;
+    engine.sync();
+  };
+  const auto finish = [&] {
+    searches.wait();
+    searches.publish();
+  };
+  search();
+  const Document changed =
+      with_paper_settings(editor.history.current(), [](PaperModel& model) { model.settings.gap = 7; });
+  ASSERT_TRUE(editor.commit(changed, "Gap between pieces"));
+  finish();
+  EXPECT_EQ(editor.document().paper->settings.gap, 7);
+  EXPECT_FALSE(editor.document().paper->unfolded());
+  ASSERT_FALSE(editor.notices().empty()) << "the search was dropped in silence";
+  search();
+  finish();
+  EXPECT_EQ(editor.document().paper->settings.gap, 7);
+  EXPECT_TRUE(editor.document().paper->unfolded());
+}
+
 }  // namespace
 }  // namespace hariko

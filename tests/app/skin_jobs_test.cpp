@@ -78,6 +78,21 @@ TEST(SkinJobs, SectionsAreAddedOneAfterTheOther) {
   EXPECT_TRUE(rig.editor.notices().empty());
 }
 
+TEST(SkinJobs, NothingLandsInADocumentThatWasOpenedMeanwhile) {
+  JobsRig rig;
+  const Skin before = rig.skin();
+  for (const double v : {0.6, 0.2}) rig.jobs.add_section(rig.object().id, v);
+  const Document same = rig.editor.history.current();
+  rig.editor.open(same, {});
+  rig.finish();
+  EXPECT_EQ(rig.skin(), before);
+  EXPECT_EQ(rig.added, 0);
+  EXPECT_TRUE(rig.editor.notices().empty());
+  rig.jobs.add_section(rig.object().id, 0.5);
+  rig.finish();
+  EXPECT_EQ(rig.added, 1);
+}
+
 TEST(SkinJobs, ASectionWaitsForTheEndOfADrag) {
   JobsRig rig;
   const Skin before = rig.skin();
@@ -185,7 +200,7 @@ TEST(SkinJobs, PlacingColumnsIsAJobThatCanBeCancelled) {
   rig.editor.now = 1;
   rig.jobs.follow(engine);
   ASSERT_EQ(rig.editor.jobs.size(), 1U);
-  EXPECT_EQ(rig.editor.jobs[0]->text, placing_columns_job);
+  EXPECT_EQ(rig.editor.jobs[0]->kind, Job::Kind::placing_columns);
   EXPECT_EQ(percent_of(*rig.editor.jobs[0]), 40);
   ASSERT_NE(rig.editor.cancellable_job(), nullptr);
   rig.editor.cancellable_job()->cancel.cancel();

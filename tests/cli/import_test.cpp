@@ -1,5 +1,7 @@
 // Meshes of other programs, and files that stand in pipes.
 
+#include <cstdlib>
+#include <filesystem>
 #include <set>
 
 #include "tests/cli/program.hpp"
@@ -183,6 +185,27 @@ TEST_F(ImportTest, StandardInputAndOutputStandForFiles) {
   EXPECT_EQ(run("info --from obj " + cube).exit_code, 2) << "only for -";
 }
 
+TEST_F(ImportTest, PipesLeaveNothingBehind) {
+  const std::filesystem::path kept = path("kept");
+  std::filesystem::create_directory(kept);
+  const char* before = std::getenv("TMPDIR");
+  const std::string usual = before ? before : "";
+  ::setenv("TMPDIR", kept.c_str(), 1);
+  // More than a pipe holds, for a reader that ends at once.
+  run("export " + golden("cube.obj") + " - --to obj --density 40 | head -c 2 >'" + path("two") + "'; true");
+  const bool empty = std::filesystem::is_empty(kept);
+  ::setenv("TMPDIR", path("nothere").c_str(), 1);
+  const Outcome nowhere = run("info -", golden("cube.obj"));
+  if (before)
+    ::setenv("TMPDIR", usual.c_str(), 1);
+  else
+    ::unsetenv("TMPDIR");
+  EXPECT_EQ(read_text(path("two")), "o ");
+  EXPECT_TRUE(empty);
+  EXPECT_EQ(nowhere.exit_code, 2) << nowhere.error;
+  EXPECT_NE(nowhere.error.find("FILE: no temporary file can be made"), std::string::npos) << nowhere.error;
+}
+
 TEST_F(ImportTest, TextOfInfoNamesAKindOfFaultOnce) {
   std::string text;
   const int count = 500;
@@ -243,6 +266,57 @@ TEST_F(ImportTest, ABodyThatIsInsideOutIsTurnedByTheRepair) {
   const Json repaired = run("info --json " + path("turned.stl") + " --repair").object();
   EXPECT_EQ(codes_of(repaired).count("W_INSIDE_OUT"), 0U) << repaired;
   EXPECT_EQ(codes_of(repaired).count("W_TURNED_OUTWARDS"), 1U) << repaired;
+  // Commands that write a file say so as well.
+  for (const std::string& job : {"export " + path("turned.stl") + " " + path("o.stl"),
+                                 "unfold " + path("turned.stl") + " " + path("o.pdf")}) {
+    EXPECT_NE(succeed(job).error.find("W_INSIDE_OUT"), std::string::npos) << job;
+    EXPECT_EQ(succeed(job + " --repair").error.find("W_INSIDE_OUT"), std::string::npos) << job;
+  }
+}
+
+/// A box with a cavity as OBJ, inside out where it is asked for.
+std::string hollow_box(bool inside_out) {
+  const int quads[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4},
+                           {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
+  std::string vertices, faces;
+  for (const bool cavity : {false, true}) {
+    for (int k = 0; k < 8; ++k)
+      for (int axis = 0; axis < 3; ++axis)
+        vertices += (axis == 0 ? "\nv " : " ") +
+                    std::to_string((cavity ? 10 : 0) + (cavity ? 10 : 30) * (k >> axis & 1));
+    for (const auto& quad : quads) {
+      faces += "\nf";
+      for (int k = 0; k < 4; ++k)
+        faces += " " + std::to_string((cavity ? 9 : 1) + quad[cavity != inside_out ? 3 - k : k]);
+    }
+  }
+  return vertices + faces + "\n";
+}
+
+TEST_F(ImportTest, ACavityTurnsWithItsBody) {
+  write_text(path("whole.obj"), hollow_box(false));
+  write_text(path("turned.obj"), hollow_box(true));
+  const double volume = run("info --json " + path("whole.obj")).object()["volume"].get<double>();
+  EXPECT_GT(volume, 0);
+  EXPECT_LT(run("info --json " + path("turned.obj")).object()["volume"].get<double>(), 0);
+  const Json repaired = run("info --json --repair " + path("turned.obj")).object();
+  EXPECT_NEAR(repaired["volume"].get<double>(), volume, 1e-9 * volume);
+  EXPECT_EQ(codes_of(repaired), std::set<std::string>{"W_TURNED_OUTWARDS"}) << repaired;
+}
+
+TEST_F(ImportTest, ABodyBesideABrokenOneIsTurnedByTheRepairToo) {
+  std::string broken = stl_box("broken", 30, 0);
+  broken.insert(broken.find("endsolid"),
+                "facet normal 0 0 0 outer loop\nvertex 30 0 0\nvertex 40 0 0\nvertex 35 -10 -10\nendloop "
+                "endfacet\n");  // a third face at an edge
+  write_text(path("two.stl"), stl_box("turned", 0, 0, true) + broken);
+  EXPECT_EQ(run("info " + path("two.stl")).exit_code, 1);
+  const Outcome told = succeed("info --json --repair " + path("two.stl"));
+  EXPECT_NE(told.error.find("faces turned: 12"), std::string::npos) << told.error;
+  const Json objects = told.json()["objects"];
+  ASSERT_EQ(objects.size(), 2U);
+  for (const Json& object : objects) EXPECT_EQ(codes_of(object).count("W_INSIDE_OUT"), 0U) << object;
+  EXPECT_GT(objects[0]["volume"].get<double>(), 0);
 }
 
 TEST_F(ImportTest, AFileOfAnotherFormatIsNamed) {

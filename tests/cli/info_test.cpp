@@ -1,5 +1,3 @@
-#include <fcntl.h>
-
 #include <set>
 
 #include "core/document/file.hpp"
@@ -241,40 +239,12 @@ TEST_F(Info, CountsThePatchesThatALocalEditLeavesAlone) {
 }
 
 TEST_F(Info, OnATerminalTheErrorStreamShowsWhatIsGoingOn) {
-  // More than a tenth of a second, after which the line appears.
-  const int side = 60;
-  std::string grid;
-  for (int j = 0; j < side; ++j)
-    for (int i = 0; i < side; ++i)
-      grid += "v " + std::to_string(i) + " " + std::to_string(j) + " " +
-              std::to_string((7 * i + 13 * j) % 5) + "\n";
-  for (int j = 0; j + 1 < side; ++j)
-    for (int i = 1; i < side; ++i) {
-      const int a = j * side + i;
-      grid += "f " + std::to_string(a) + " " + std::to_string(a + 1) + " " + std::to_string(a + side + 1) +
-              " " + std::to_string(a + side) + "\n";
-    }
-  write_text(path("grid.obj"), grid);
-  const int terminal = ::posix_openpt(O_RDWR | O_NOCTTY);
-  ASSERT_GE(terminal, 0);
-  ASSERT_EQ(::grantpt(terminal), 0);
-  ASSERT_EQ(::unlockpt(terminal), 0);
-  const std::string name = ::ptsname(terminal);
-  const int kept = ::open(name.c_str(), O_RDWR | O_NOCTTY);  // text that was written stays until it is read
-  const std::string command = "env -u DISPLAY XDG_STATE_HOME='" + path("state") + "' '" + program_path() +
-                              "' info '" + path("grid.obj") + "' >'" + path("out.txt") + "' 2>'" + name +
-                              "' </dev/null";
-  EXPECT_EQ(std::system(command.c_str()), 0);
-  ::fcntl(terminal, F_SETFL, O_NONBLOCK);
-  std::string shown;
-  char piece[4096];
-  for (ssize_t got = 0; (got = ::read(terminal, piece, sizeof piece)) > 0;)
-    shown.append(piece, std::size_t(got));
-  ::close(kept);
-  ::close(terminal);
+  write_text(path("grid.obj"),
+             bumpy_grid(60));  // more than a tenth of a second, after which the line appears
+  const std::string shown = shown_on_terminal("info '" + path("grid.obj") + "'");
   EXPECT_NE(shown.find("grid: measuring"), std::string::npos) << shown;
   EXPECT_TRUE(shown.ends_with("\r\033[K")) << "the line goes when the work is done";
-  EXPECT_TRUE(read_text(path("out.txt")).starts_with("name")) << "the results are elsewhere";
+  EXPECT_TRUE(read_text(path("stdout.txt")).starts_with("name")) << "the results are elsewhere";
   EXPECT_EQ(run("info '" + path("grid.obj") + "'").error, "") << "no line where nobody looks";
 }
 

@@ -2,6 +2,7 @@
 
 // Runs the program and keeps what it said.
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -49,6 +50,22 @@ struct Outcome {
   }
 };
 
+/// Grid of `side` times `side` vertices at jumping heights, as OBJ: quads that are not flat, or their halves.
+inline std::string bumpy_grid(int side, bool triangles = false) {
+  std::ostringstream out;
+  for (int j = 0; j < side; ++j)
+    for (int i = 0; i < side; ++i) out << "v " << i << ' ' << j << ' ' << (7 * i + 13 * j) % 5 << '\n';
+  for (int j = 0; j + 1 < side; ++j)
+    for (int i = 1; i < side; ++i) {
+      const int a = j * side + i, b = a + 1, c = b + side, d = a + side;
+      if (triangles)
+        out << "f " << a << ' ' << b << ' ' << c << "\nf " << a << ' ' << c << ' ' << d << '\n';
+      else
+        out << "f " << a << ' ' << b << ' ' << c << ' ' << d << '\n';
+    }
+  return out.str();
+}
+
 /// A test with a folder of its own, removed afterwards.
 class ProgramTest : public ::testing::Test {
  protected:
@@ -81,6 +98,26 @@ class ProgramTest : public ::testing::Test {
     out.out = read_text(path("stdout.txt"));
     out.error = read_text(path("stderr.txt"));
     return out;
+  }
+  /// Text that comes to the error stream where that is a terminal; the results go to stdout.txt.
+  std::string shown_on_terminal(const std::string& arguments) const {
+    const int terminal = ::posix_openpt(O_RDWR | O_NOCTTY);
+    EXPECT_TRUE(terminal >= 0 && ::grantpt(terminal) == 0 && ::unlockpt(terminal) == 0);
+    if (terminal < 0) return {};
+    const std::string name = ::ptsname(terminal);
+    const int kept = ::open(name.c_str(), O_RDWR | O_NOCTTY);  // text that was written stays until it is read
+    const std::string command = "env -u DISPLAY XDG_STATE_HOME='" + path("state") + "' '" + program_path() +
+                                "' " + arguments + " >'" + path("stdout.txt") + "' 2>'" + name +
+                                "' </dev/null";
+    EXPECT_EQ(std::system(command.c_str()), 0) << arguments;
+    ::fcntl(terminal, F_SETFL, O_NONBLOCK);
+    std::string shown;
+    char piece[4096];
+    for (ssize_t got = 0; (got = ::read(terminal, piece, sizeof piece)) > 0;)
+      shown.append(piece, std::size_t(got));
+    ::close(kept);
+    ::close(terminal);
+    return shown;
   }
   /// The same of what has to end well; where it does not the test fails, at the line of the call, and ends.
   Outcome succeed(const std::string& arguments, const std::string& input = "/dev/null",

@@ -72,6 +72,28 @@ TEST_F(Scripts, TwentyBoxesInARow) {
   EXPECT_EQ(names.size(), 20U);
 }
 
+TEST_F(Scripts, ImportedDocumentsKeepTheirSizesAndMayHaveViewsAlone) {
+  const Json first =
+      list(step("file.new", {{"unit", "cm"}}), step("add.cube", {{"radius", 1}, {"name", "A"}}));
+  ASSERT_EQ(run_steps(first, "--out " + path("a.hariko")).exit_code, 0);
+  SavedView view;
+  view.name = "Front";
+  const auto looks = add_view(Document(), view);
+  ASSERT_TRUE(looks.ok());
+  ASSERT_TRUE(save_document(*looks, path("views.hariko")).ok());
+  const Json second = list(step("file.new"), step("file.import", {{"path", path("views.hariko")}}),
+                           step("file.import", {{"path", path("a.hariko")}}));
+  const Outcome result = run_steps(second, "--out " + path("both.hariko"));
+  ASSERT_EQ(result.exit_code, 0) << result.error;
+  const Document one = saved("a.hariko"), both = saved("both.hariko");
+  ASSERT_EQ(one.objects.size(), 1U);
+  ASSERT_EQ(both.objects.size(), 1U);
+  EXPECT_EQ(both.saved_views->size(), 1U);
+  EXPECT_EQ(one.unit, Unit::centimetre);
+  EXPECT_EQ(both.unit, Unit::millimetre);
+  EXPECT_LT((world_box(*both.objects[0]).sizes() - 10 * world_box(*one.objects[0]).sizes()).norm(), 1e-9);
+}
+
 TEST_F(Scripts, DocumentsComeInAndGoOut) {
   const Json first = list(step("add.cube", {{"radius", 10}, {"name", "A"}}));
   ASSERT_EQ(run_steps(first, "--out " + path("a.hariko")).exit_code, 0);
@@ -155,6 +177,11 @@ TEST_F(Scripts, CagesAreBroughtToScans) {
   ASSERT_EQ(second.exit_code, 0) << second.error;
   EXPECT_FALSE(saved("fitted.hariko") == document);
   expect_refused(list(step("add.box"), step("mesh.fit_reference")), {"No reference facets are shown"});
+  const Json reduced =
+      list(step("select.objects", {{"names", {"Scan"}}}), step("mesh.reduce_reference", {{"distance", 0.1}}));
+  const Outcome third = run_steps(reduced, "--in " + path("scan.hariko") + " --out " + path("light.hariko"));
+  EXPECT_EQ(third.exit_code, 0) << third.error;
+  EXPECT_EQ(saved("light.hariko").objects.at(1)->mesh()->mesh->face_count(), 1U);
 }
 
 TEST_F(Scripts, TurnsAndScalesGoAboutAPoint) {
@@ -225,6 +252,24 @@ TEST_F(Scripts, SurfacesAreExportedAndConverted) {
   const Document document = saved("made.hariko");
   ASSERT_EQ(document.objects.size(), 2U);
   EXPECT_TRUE(document.objects[1]->polyhedron());
+}
+
+TEST_F(Scripts, WallsAreExported) {
+  const Json steps =
+      list(step("add.box", {{"width", 10}, {"depth", 10}, {"height", 10}}),
+           step("file.export", {{"path", path("bare.obj")}, {"density", 2}}),
+           step("file.export",
+                {{"path", path("wall.obj")}, {"density", 2}, {"thickness", "1 mm"}, {"side", "outside"}}));
+  const Outcome result = run_steps(steps);
+  ASSERT_EQ(result.exit_code, 0) << result.error;
+  const auto faces_in = [&](const char* name) {
+    const std::string text = read_text(path(name));
+    std::size_t count = 0;
+    for (std::size_t at = text.find("\nf "); at != std::string::npos; at = text.find("\nf ", at + 1)) ++count;
+    return count;
+  };
+  EXPECT_GT(faces_in("bare.obj"), 0U);
+  EXPECT_EQ(faces_in("wall.obj"), 2 * faces_in("bare.obj"));
 }
 
 TEST_F(Scripts, AWrongCommandIsToldWithTheNearest) {

@@ -48,6 +48,16 @@ TEST_F(SolidsOptions, BridgesGetTheirBall) {
   EXPECT_LT(freed["volume"].get<double>(), 0.9 * filled["volume"].get<double>());
 }
 
+TEST_F(SolidsOptions, ABallsRadiusIsANumberLikeOthers) {
+  const std::string four = golden("envelope/four.json");
+  Json ten, one;
+  envelope(four, "--rounding 0.1 --ball-radius 1.0D1", &ten);
+  envelope(four, "--rounding 0.1 --ball-radius 1", &one);
+  EXPECT_GT(ten["volume"].get<double>(), 1.2 * one["volume"].get<double>());
+  const int smallest = run("info " + golden("envelope/box.json") + " --ball-radius 1e-310").exit_code;
+  EXPECT_TRUE(smallest == 0 || smallest == 1) << "no crash: " << smallest;
+}
+
 TEST_F(SolidsOptions, OtherWordsAreRefused) {
   for (const std::string options :
        {"--on-faces yes", "--finer-patches 2", "--bridge-radius 0", "--bridge-radius hull"})

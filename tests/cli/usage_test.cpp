@@ -1,6 +1,7 @@
 #include <map>
 #include <regex>
 #include <set>
+#include <utility>
 
 #include "tests/cli/program.hpp"
 #include "tests/support/places.hpp"
@@ -20,6 +21,24 @@ TEST_F(Usage, HelpAndVersion) {
   }
   const Outcome version = succeed("--version");
   EXPECT_EQ(version.out.rfind("hariko ", 0), 0U);
+}
+
+TEST_F(Usage, LongWorkSaysOnATerminalHowFarItIs) {
+  write_text(path("grid.obj"), bumpy_grid(60));
+  write_text(path("flat.obj"), bumpy_grid(60, true));
+  const std::string grid = path("grid.obj"), flat = path("flat.obj");
+  const std::pair<std::string, const char*> commands[] = {
+      {"export " + grid + " " + path("grid.stl") + " --density 8", "grid.stl: writing "},
+      {"mesh " + grid + " " + path("grid.ply") + " --distance 0.8", "grid.ply: meshing "},
+      {"unfold " + flat + " " + path("flat.json") + " --height 30", "flat.obj: unfolding "}};
+  for (const auto& [command, line] : commands) {
+    const std::string shown = shown_on_terminal(command);
+    const std::size_t found = shown.find(line);
+    EXPECT_NE(found, std::string::npos) << command << "\n" << shown;
+    EXPECT_NE(shown.find(" %", found), std::string::npos) << "no share of the work: " << shown;
+    EXPECT_NE(shown.rfind("\r\033[K"), std::string::npos) << "the line stays";
+    EXPECT_EQ(run(command).error.find(line), std::string::npos) << "a line where nobody looks";
+  }
 }
 
 TEST_F(Usage, WrongArgumentsGiveTwo) {
@@ -48,6 +67,10 @@ TEST_F(Usage, WrongArgumentsGiveTwo) {
                                 "render " + cube + " " + path("a.png") + " --show faces",
                                 "render " + cube + " " + path("a.png") + " --format svg",
                                 "render " + cube + " " + path("a") + " --format jpg",
+                                "mesh " + cube + " " + path("a.obj") + " --normal nan",
+                                "export " + cube + " " + path("a.obj") + " --angle NaN",
+                                "unfold " + cube + " " + path("a.pdf") + " --merge nan",
+                                "unfold " + cube + " " + path("a.pdf") + " --margin inf",
                                 std::string("evaluate"),
                                 "evaluate " + cube + " --mode cubic",
                                 "evaluate " + cube + " --tension"}) {

@@ -179,6 +179,19 @@ TEST(Attachment, AppendedDocumentsKeepTheirOwn) {
     EXPECT_TRUE(attachment.frozen.has_value());
 }
 
+TEST(Attachment, AppendedJoinsToObjectsThatAreGoneAreReleased) {
+  std::mt19937_64 rng(4787);
+  Joined joined = random_joined(rng, 0.5, Adapts::surface);
+  while (joined.patches.empty()) joined = random_joined(rng, 0.5, Adapts::surface);
+  Document lost = joined.document;
+  std::erase_if(lost.objects, [&](const auto& object) { return object->id == joined.patches.front(); });
+  ASSERT_TRUE(read_document(write_document(lost))) << "a file may name what is not there";
+  const Document both = append_document(cube_document(), lost).value();
+  EXPECT_EQ(both.objects.back()->polyhedron()->attachments->size(), joined.edges.size() - 1);
+  const auto again = must(read_document(write_document(both)));
+  EXPECT_TRUE(*again == both) << "it cannot be saved";
+}
+
 TEST(Attachment, RefusalsAndCycles) {
   std::mt19937_64 rng(1);
   BicubicNet net{1, 1, {}};

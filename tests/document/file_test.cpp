@@ -10,6 +10,7 @@
 
 #include "core/document/edits/edit_pictures.hpp"
 #include "core/document/edits/edits.hpp"
+#include "core/document/format/format.hpp"
 #include "tests/document/random_documents.hpp"
 
 namespace hariko {
@@ -115,6 +116,22 @@ TEST_F(DocumentFile, ADocumentThatWouldNotReadBackIsNotWritten) {
   bad.kept = KeptMembers{{"unit", "\"m\""}};  // would change the meaning of the file
   EXPECT_EQ(save_document(bad, path).error().code.name, e_save_verify.name);
   EXPECT_TRUE(load_document(path).value() == good);
+}
+
+TEST_F(DocumentFile, WhatNoFileHasRoomForIsSaid) {
+  Document document = test::cube_document();
+  EXPECT_FALSE(has_too_large_meshes(document));
+  PolygonMesh mesh;
+  mesh.positions.resize(max_document_values / 4, Vector3::Zero());
+  mesh.add_face({0, 1, 2});
+  MeshSource scan;
+  scan.mesh = std::move(mesh);
+  EXPECT_TRUE(has_too_large_meshes(add_object(document, "Scan", std::move(scan))->document));
+  std::string many = "[0";
+  for (std::size_t i = 0; i < max_document_values; ++i) many += ",0";
+  document.kept = KeptMembers{{"other", many + "]"}};
+  EXPECT_EQ(save_document(document, folder_ / "a.hariko").error().code.name, e_document_size.name);
+  EXPECT_EQ(files_in_folder(), 0U);
 }
 
 TEST_F(DocumentFile, LoadingNamesTheFile) {

@@ -1,6 +1,11 @@
-// Documents that something went wrong with load or are refused, and what loads can be saved.
+// Documents that something went wrong with load or are refused, and what loads can be saved. So do files of
+// sections, solids and outlines alone.
 
 #include "core/document/format/format.hpp"
+#include "core/document/format/read_outline.hpp"
+#include "core/document/format/read_skin.hpp"
+#include "core/document/format/read_solids.hpp"
+#include "tests/support/mutated.hpp"
 #include "tests/support/places.hpp"
 #include "tests/support/random.hpp"
 #include "tests/support/temporary_folder.hpp"
@@ -31,6 +36,27 @@ TEST(DocumentMutations, LoadOrAreRefused) {
     const auto again = test::must(read_document(write_document(*document)));
     EXPECT_TRUE(*again == *document);
   });
+}
+
+/// A hundred mutations of a file under tests/, which is read itself.
+template <class Read>
+void try_layout(std::uint64_t seed, const char* file, const Read& read) {
+  SCOPED_TRACE(file);
+  const std::string whole = test::slurp(std::filesystem::path(test::source_folder()) / "tests" / file);
+  ASSERT_TRUE(read(whole).ok());
+  test::for_random(seed, 100, [&](std::mt19937_64& rng) {
+    const auto layout = read(test::mutated(rng, whole));
+    if (layout.ok()) return;
+    EXPECT_FALSE(layout.error().text.empty());
+    EXPECT_TRUE(layout.error().code.name.starts_with("E_")) << layout.error().code.name;
+  });
+}
+
+TEST(DocumentMutations, FilesOfOneKindLoadOrAreRefused) {
+  try_layout(1000, "cases/skin_far_from_origin.json", &read_skin_layout);
+  try_layout(1100, "skinning/data/dome_unequal_sections.json", &read_skin_layout);
+  try_layout(1200, "golden/envelope/drill.json", &read_scene);
+  try_layout(1300, "golden/gaussmap/three_holes.json", &read_outline);
 }
 
 }  // namespace

@@ -26,6 +26,27 @@ std::vector<std::uint32_t> order_of(const Document& document) {
   return ids;
 }
 
+TEST(ManyObjects, AreHiddenAndLockedAsOneAfterTheOther) {
+  Document document = row_of(6);
+  document = set_locked(document, document.objects[1]->id, true).value();
+  document = set_visible(document, document.objects[2]->id, false).value();
+  const std::vector<ObjectId> ids{document.objects[4]->id, document.objects[1]->id, document.objects[2]->id,
+                                  document.objects[4]->id};
+  Document hidden = document, locked = document, unlocked = document;
+  for (const ObjectId id : ids) {
+    hidden = set_visible(hidden, id, false).value();
+    locked = set_locked(locked, id, true).value();
+    unlocked = set_locked(unlocked, id, false).value();
+  }
+  EXPECT_TRUE(hide_objects(document, ids).value() == hidden);
+  EXPECT_TRUE(lock_objects(document, ids, true).value() == locked);
+  EXPECT_TRUE(lock_objects(document, ids, false).value() == unlocked);
+  EXPECT_EQ(hide_objects(document, ids)->objects[0], document.objects[0]) << "others are shared";
+  EXPECT_EQ(hide_objects(document, ids)->objects[2], document.objects[2]) << "it was hidden";
+  const ObjectId unknown{document.next_object_id};
+  EXPECT_EQ(hide_objects(document, std::span(&unknown, 1)).error().code, e_unknown_object);
+}
+
 TEST(MoveMembers, puts_objects_before_a_place) {
   const Document document = row_of(5);
   const auto ids = order_of(document);

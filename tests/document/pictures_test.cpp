@@ -6,6 +6,7 @@
 #include "core/document/file.hpp"
 #include "core/document/format/format.hpp"
 #include "core/document/history/memory.hpp"
+#include "core/document/history/recovery.hpp"
 #include "core/document/object_box.hpp"
 #include "tests/document/random_documents.hpp"
 #include "tests/support/temporary_folder.hpp"
@@ -113,6 +114,25 @@ TEST(Pictures, ALinkGoesFromTheFolderOfTheDocument) {
             (folder.path() / "moved" / "pictures" / "side.png").generic_string());
 }
 
+TEST(Pictures, FoldersWhoseNamesAreNoUtf8CostNoDocument) {
+  const test::TemporaryFolder folder;
+  const auto odd = folder.path() / "\x8e\xca", other = folder.path() / "other", kept = folder.path() / "kept";
+  for (const auto& path : {odd, other, kept}) std::filesystem::create_directories(path);
+  ASSERT_TRUE(save_document(with_picture(photograph("side.png")).document, odd / "cup.hariko"));
+  const Document document = load_document(odd / "cup.hariko").value();
+  EXPECT_EQ(picture_of(document).path, (odd / "side.png").generic_string());
+  ASSERT_TRUE(save_document(document, odd / "cup.hariko"));
+  EXPECT_TRUE(load_document(odd / "cup.hariko").value() == document);
+  // No other file can name that folder.
+  ASSERT_TRUE(save_document(document, other / "cup.hariko"));
+  EXPECT_EQ(picture_of(load_document(other / "cup.hariko").value()).path,
+            (other / "side.png").generic_string());
+  SystemFileLayer layer;
+  ASSERT_TRUE(write_recovery(kept, document, {odd / "cup.hariko", {}, 1}, layer));
+  const auto copy = test::must(read_recovery(kept));
+  EXPECT_TRUE(with_absolute_pictures(copy->document, odd) == document);
+}
+
 TEST(Pictures, PackedNamesStayAsTheyAre) {
   PictureSource picture = photograph("side.png");
   picture.bytes = std::string("PNG");
@@ -142,6 +162,18 @@ TEST(Pictures, ADocumentHasRoomForAHundredMebibytes) {
   EXPECT_LT(memory.bytes(), max_packed_pictures / 2 + 100'000);
   const auto again = test::must(read_document(write_document(*second)));
   EXPECT_TRUE(*again == *second);
+}
+
+TEST(Pictures, CopiesAndAppendedDocumentsKeepToTheRoom) {
+  PictureSource picture = photograph("side.png");
+  picture.bytes = std::string(max_packed_pictures / 2, 'x');
+  const Added one = with_picture(picture);
+  const auto two = duplicate_object(one.document, one.id);
+  ASSERT_TRUE(two) << "just full";
+  EXPECT_EQ(code_of(duplicate_object(two->document, one.id)), "E_PICTURES_TOO_LARGE");
+  EXPECT_EQ(code_of(duplicate_objects(one.document, std::span(&one.id, 1), 2)), "E_PICTURES_TOO_LARGE");
+  EXPECT_TRUE(append_document(one.document, one.document));
+  EXPECT_EQ(code_of(append_document(two->document, one.document)), "E_PICTURES_TOO_LARGE");
 }
 
 TEST(Pictures, TwoPointsGetTheirLength) {

@@ -1,5 +1,7 @@
 #include "core/exchange/repair/clean_part.hpp"
 
+#include <algorithm>
+#include <array>
 #include <string>
 #include <utility>
 
@@ -57,6 +59,42 @@ TEST(CleanPart, NearCornersAreToldOrJoined) {
   CleanReport strict;
   clean(part, {.near = true, .distance = 1e-8}, strict);
   EXPECT_EQ(strict.joined, 0U);
+}
+
+TEST(CleanPart, NoToleranceIsNamedWhereMeshesHaveTheirOwn) {
+  // Two triangles that lie side by side, and the same a million times as large.
+  CleanReport report;
+  for (const double size : {1.0, 1e6}) {
+    ImportedPart part;
+    part.mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1 + 1e-7, 0, 0}, {1, 1, 0}, {0, 1, 1e-7}};
+    for (Vector3& position : part.mesh.positions) position *= size;
+    part.mesh.add_face({0, 1, 2});
+    part.mesh.add_face({3, 4, 5});
+    clean(part, {}, report);
+  }
+  EXPECT_EQ(report.near, 4U);
+  ASSERT_EQ(report.messages().size(), 1U);
+  EXPECT_NE(report.messages()[0].remedy.find("(--weld)"), std::string::npos) << report.messages()[0].remedy;
+}
+
+TEST(CleanPart, CreasesRunAlongSplitEdges) {
+  // A rectangle below two squares, whose common corner lies on its upper side.
+  ImportedPart part;
+  part.mesh.positions = {{0, 0, 0},  {20, 0, 0},  {20, 10, 0}, {0, 10, 0},
+                         {0, 20, 0}, {10, 20, 5}, {20, 20, 0}, {10, 10, 0}};
+  part.mesh.add_face({0, 1, 2, 3});
+  part.mesh.add_face({3, 7, 5, 4});
+  part.mesh.add_face({7, 2, 6, 5});
+  part.creases = {{2, 3}};
+  CleanReport report;
+  clean(part, {.split_edges = true}, report);
+  EXPECT_EQ(report.split_edges, 1U);
+  for (auto& [a, b] : part.creases)
+    if (a > b) std::swap(a, b);
+  std::sort(part.creases.begin(), part.creases.end());
+  ASSERT_EQ(part.creases.size(), 2U);
+  EXPECT_EQ(part.creases[0], (std::array<Index, 2>{2, 7}));
+  EXPECT_EQ(part.creases[1], (std::array<Index, 2>{3, 7}));
 }
 
 TEST(CleanPart, CornersOfLooseFacesMayBeFartherApart) {

@@ -74,6 +74,19 @@ TEST(FileRounding, WhatRuinsAShapeIsAnErrorWithTheWayOut) {
   }
 }
 
+TEST(FileRounding, NumbersBeyondAllDoublesAreRefused) {
+  const test::TemporaryFolder folder;
+  const TriangleMesh mesh = corner(Vector3::Zero(), 10);
+  const NamedTriangles named{"cube", &mesh};
+  for (const char* name : {"a.obj", "a.ply", "a.off", "a.3mf"}) {
+    const auto file = folder.path() / name;
+    EXPECT_TRUE(write_mesh_file(file, std::span(&named, 1), {.factor = 1e300}).ok()) << name;
+    std::filesystem::remove(file);
+    test::must_fail(write_mesh_file(file, std::span(&named, 1), {.factor = 1e308}), e_limit);
+    EXPECT_FALSE(std::filesystem::exists(file)) << name;
+  }
+}
+
 TEST(FileRounding, APromisedDistanceDecides) {
   const test::TemporaryFolder folder;
   const TriangleMesh mesh = corner({4000.3, 0, 0}, 10);  // floats are 2.4e-4 apart there

@@ -223,6 +223,16 @@ TEST(ReadObj, BezierSurfacesAreObjectsOfPatches) {
   EXPECT_EQ(code("cstype bspline\nv 0 0 0\nsurf 0 1 0 1 1\n"), "E_EMPTY");
 }
 
+TEST(ReadObj, ControlPointsOfSurfacesAreNoVerticesOfTheMesh) {
+  const auto scene = test::must(
+      read_obj_scene("v 0 0 0\nv 9 0 0\nv 0 9 0\nv 9 9 5\ncstype bezier\ndeg 1 1\nsurf 0 1 0 1 1 2 3 4\nend\n"
+                     "o tip\nv 0 0 7\nv 1 0 7\nv 0 1 7\nf 5 6 7\n"));
+  ASSERT_EQ(scene->parts.size(), 1U);
+  EXPECT_EQ(scene->parts[0].name, "tip");
+  EXPECT_EQ(scene->parts[0].mesh.positions, (std::vector<Vector3>{{0, 0, 7}, {1, 0, 7}, {0, 1, 7}}));
+  EXPECT_EQ(scene->patches.size(), 1U);
+}
+
 /// One bicubic patch over 0 .. 3 by 0 .. 3, heights from a polynomial of its parameters, as statements.
 std::string bicubic(const std::string& range, const std::string& body) {
   std::string out, numbers;

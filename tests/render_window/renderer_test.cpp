@@ -290,6 +290,18 @@ TEST_F(RendererTest, SelectedPatchesAreTinted) {
   EXPECT_GT(after.r - after.b, before.r - before.b + 30);
 }
 
+/// Lines stood round the place of an outlined object where one of an earlier picture had been.
+TEST_F(RendererTest, OutlinesForgetEarlierPictures) {
+  Scene scene = plain(object_of(sphere(1), SurfaceMap::shaded, 16));
+  scene.objects[0].outlined = true;
+  const Camera close = looking(scene, StandardView::iso);
+  Camera distant = close;
+  distant.distance *= 3;
+  const Image alone = draw(scene, distant, picture_size);
+  draw(scene, close, picture_size);
+  EXPECT_EQ(draw(scene, distant, picture_size).rgba, alone.rgba);
+}
+
 TEST_F(RendererTest, HiddenLinesShowFaintlyWithXRay) {
   Scene scene = plain(golden_object("cube.obj", SurfaceMap::shaded));
   SceneObject& object = scene.objects[0];

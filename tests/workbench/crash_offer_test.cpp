@@ -83,7 +83,7 @@ TEST_F(OfferOfACrash, StandsInADialogOverADocument) {
 }
 
 TEST_F(OfferOfACrash, StandsAboveUnsavedWork) {
-  bench_.workbench().offers().recoveries.push_back({"1", "/tmp/vase.hariko", 0, 1, false, false, nullptr, 1});
+  bench_.workbench().offers().recoveries.push_back({"1", "/tmp/vase.hariko", 0, 1, false, false, 0, 1});
   start();
   ASSERT_TRUE(shows("crash.dismiss"));
   ASSERT_TRUE(shows("recovery.recover"));

@@ -93,6 +93,41 @@ TEST_F(OpenFile, AFileThatAnotherProgramChangedIsAskedAbout) {
   EXPECT_EQ(name_in(file_), "Again");
 }
 
+TEST_F(OpenFile, SavingAgainAtOnceIsNoChangeByAnotherProgram) {
+  session_->rename_object("One");
+  (*session_)->save(file_, {});
+  session_->rename_object("Two");
+  (*session_)->save(file_, {});
+  session_->settle();
+  EXPECT_FALSE(session_->shows("prompt.overwrite"));
+  EXPECT_EQ(name_in(file_), "Two");
+  EXPECT_FALSE(session_->editor().history.dirty());
+}
+
+TEST_F(OpenFile, WhatIsToBeWrittenIsWrittenBeforeTheEnd) {
+  const auto copy = folder_.path() / "copy.hariko";
+  session_->rename_object("Changed");
+  (*session_)->save(file_, {});
+  (*session_)->save_copy(copy);
+  (*session_)->end();
+  session_.reset();
+  EXPECT_EQ(name_in(file_), "Changed");
+  EXPECT_EQ(name_in(copy), "Changed");
+}
+
+TEST_F(OpenFile, WhatIsBeingSavedUnderAnotherNameLeavesTheOldFile) {
+  const auto other = folder_.path() / "other.hariko";
+  session_->rename_object("One");
+  (*session_)->save(other, {});
+  session_->rename_object("Two");
+  session_->bench().key("Ctrl+S");
+  session_->settle();
+  EXPECT_EQ(name_in(file_), "Saved");
+  EXPECT_EQ(name_in(other), "Two") << last_notice();
+  EXPECT_EQ(session_->editor().path, other);
+  EXPECT_FALSE(session_->editor().history.dirty());
+}
+
 TEST_F(OpenFile, RevertIsAStepThatCanBeUndone) {
   session_->rename_object("Mine");
   (*session_)->revert();
@@ -149,6 +184,44 @@ TEST_F(OpenFile, AFileThatIsOpenElsewhereIsReadOnlyOrACopy) {
   EXPECT_EQ(session_->editor().title(), "other copy");
 }
 
+TEST_F(OpenFile, WorkThatIsDoneWhileAnotherFileIsReadIsAskedAbout) {
+  const auto other = folder_.path() / "other.hariko";
+  ASSERT_TRUE(save_document(box("Other"), other).ok());
+  (*session_)->open(other);
+  session_->rename_object("Meanwhile");
+  session_->settle();
+  EXPECT_EQ(session_->editor().document().objects[0]->name, "Meanwhile") << "work is lost without a question";
+  ASSERT_TRUE(session_->shows("prompt.discard"));
+  session_->bench().key("Esc");
+  session_->settle();
+  EXPECT_EQ(session_->editor().document().objects[0]->name, "Meanwhile");
+  EXPECT_EQ(FileLock::try_lock(lock_path_of(other), 0).outcome, FileLock::Attempt::Outcome::acquired);
+
+  (*session_)->open(other);
+  session_->rename_object("Once more");
+  session_->settle();
+  session_->click("prompt.discard");
+  EXPECT_EQ(session_->editor().document().objects[0]->name, "Other");
+  EXPECT_EQ(session_->editor().path, other);
+  EXPECT_EQ(session_->bench().workbench().question(), nullptr) << "asked twice";
+}
+
+TEST_F(OpenFile, WhatIsMeantForADocumentWaitsForTheFileThatIsBeingOpened) {
+  int calls = 0;
+  const auto call = [&] {
+    ++calls;
+    EXPECT_EQ(session_->editor().path, file_);
+  };
+  (*session_)->when_opened(call);
+  EXPECT_EQ(calls, 1) << "a document is open";
+  session_->bench().workbench().close_document();
+  (*session_)->open(file_);
+  (*session_)->when_opened(call);
+  EXPECT_EQ(calls, 1) << "the file would take the place of what is imported before it";
+  session_->settle();
+  EXPECT_EQ(calls, 2);
+}
+
 TEST_F(OpenFile, AnotherDocumentGivesTheLockBack) {
   EXPECT_EQ(FileLock::try_lock(lock_path_of(file_), 0).outcome, FileLock::Attempt::Outcome::taken);
   session_->editor().open({}, {});
@@ -187,6 +260,7 @@ class Recovery : public OpenFile {
     session_.emplace(folder_.path());
     pictures_.emplace(session_->bench().renderer(), work_, folder_.path() / "cache");
     (*session_)->find_offers(*pictures_);
+    reserved_ = session_->bench().workbench().offers().recovery_places;
     session_->settle();
   }
   const std::vector<RecoveryOffer>& offers() { return session_->bench().workbench().offers().recoveries; }
@@ -195,6 +269,7 @@ class Recovery : public OpenFile {
     session_.reset();
   }
 
+  std::size_t reserved_ = 0;  ///< places on the start page before any copy was read
   Editor of_pictures_;
   BackgroundWork work_{of_pictures_, {}};
   std::optional<Pictures> pictures_;
@@ -205,6 +280,7 @@ TEST_F(Recovery, KilledWorkIsOfferedAndComesBackWithItsFile) {
   kill_with_work(session_);
   EXPECT_EQ(name_in(file_), "Saved");
   start_again();
+  EXPECT_EQ(reserved_, 1U) << "the card pushes the files below it down";
   ASSERT_EQ(offers().size(), 1U);
   EXPECT_EQ(offers()[0].path, file_);
   EXPECT_FALSE(offers()[0].file_changed);
@@ -242,6 +318,20 @@ TEST_F(Recovery, WorkThatWasNeverSavedComesBackWithoutAFile) {
   session_->settle();
   EXPECT_EQ(session_->editor().document().objects[0]->name, "Still never saved");
   EXPECT_FALSE(session_->editor().path.has_value());
+}
+
+TEST_F(Recovery, WorkDoneWhileTheFileBecomesAnotherComesBackWithThat) {
+  const auto other = folder_.path() / "other.hariko";
+  session_->rename_object("One");
+  (*session_)->save(other, {});
+  session_->rename_object("Two");
+  session_->settle();
+  ASSERT_TRUE(session_->editor().history.dirty());
+  kill_with_work(session_);
+  start_again();
+  ASSERT_EQ(offers().size(), 1U);
+  EXPECT_EQ(offers()[0].path, other);
+  EXPECT_FALSE(offers()[0].file_changed);
 }
 
 TEST_F(Recovery, AutosaveFollowsTheChangeWithoutBeingAsked) {

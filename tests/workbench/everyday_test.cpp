@@ -231,6 +231,25 @@ TEST_F(Everyday, TheProbeStandsBesideTheLegend) {
   EXPECT_GE(rect.y, view.y);
 }
 
+/// The value of the map stood above that of the surface, which differed in its digits.
+TEST_F(Everyday, TheProbeTellsACurvatureOnce) {
+  bench_.wait_for_surfaces();
+  run("view.frame_all");
+  const auto height = [&](const char* map) {
+    run(map);
+    bench_.wait_for_surfaces();
+    const Marks::Rect view = marks().at("view.0");
+    bench_.move(view.x + view.width / 2.0, view.y + view.height / 2.0);
+    frames();
+    return marks().contains("probe") ? marks().at("probe").height : 0;
+  };
+  const int plain = height("analyse.zebra");
+  ASSERT_GT(plain, 0);
+  EXPECT_NEAR(height("analyse.gauss"), plain, 2);
+  EXPECT_NEAR(height("analyse.k1"), plain, 2);
+  EXPECT_GT(height("analyse.mean"), plain + 10);
+}
+
 class WithOutline : public Everyday {
  protected:
   WithOutline() : Everyday(sample_of("sphere_cap")) {}

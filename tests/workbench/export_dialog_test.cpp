@@ -1,7 +1,9 @@
 // The dialogs of exports: what is typed for CAD holds when the dialog opens again, and is what is exported;
 // what a format of few digits cannot hold is said, with the way out.
 
+#include <numbers>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "app/jobs/export_triangles.hpp"
@@ -93,6 +95,47 @@ TEST_F(ExportDialog, WhatWasTypedBeforeCancelIsThereAgain) {
   EXPECT_EQ(settings().choices.scale, 1);
   cancel();
   EXPECT_EQ(bench().workbench().files().remembered().cad.tolerance, 0.02);
+}
+
+TEST_F(ExportDialog, AQualityIsADistanceAndAnAngle) {
+  open();
+  double tolerance = 1;
+  for (const CadQuality quality : {CadQuality::light, CadQuality::balanced, CadQuality::fine}) {
+    bench().click("export.cad_quality." + std::string(enum_word(quality)));
+    for (int i = 0; i < 3; ++i) bench().frame();
+    EXPECT_EQ(settings().choices.quality, quality);
+    EXPECT_EQ(settings().choices.angle, grade_of(quality).angle);
+    EXPECT_LT(settings().choices.tolerance, tolerance);
+    tolerance = settings().choices.tolerance;
+  }
+  EXPECT_NEAR(tolerance, 0.001, 1e-12);
+  type("export.cad_angle", "0.05", "dialog.name");
+  EXPECT_NEAR(settings().choices.angle, 0.05 * std::numbers::pi / 180, 1e-12);
+  const std::size_t before = counted().size();
+  bench().click("export.cad_exact");
+  for (int i = 0; i < 3; ++i) bench().frame();
+  EXPECT_TRUE(settings().choices.exact);
+  bench().click("export.cad_whole_faces");
+  for (int i = 0; i < 3; ++i) bench().frame();
+  EXPECT_TRUE(settings().choices.whole_faces);
+  EXPECT_EQ(counted().size(), before + 2) << "the faces are others";
+}
+
+TEST_F(ExportDialog, AWallIsThatOfThePartThatIsExported) {
+  open();
+  type("export.thickness", "0.2 mm", "dialog.name");
+  EXPECT_EQ(settings().wall.thickness, 0.2);
+  for (const char* mark : {"export.wall_side", "export.wall_side.both"}) {
+    bench().click(mark);
+    for (int i = 0; i < 3; ++i) bench().frame();
+  }
+  EXPECT_EQ(settings().wall.side, WallSide::both);
+  type("export.offset", "-0.1 mm", "dialog.name");
+  EXPECT_EQ(settings().wall.offset, -0.1);
+  cancel();
+  open();
+  EXPECT_TRUE(settings().wall.none()) << "the next part has none";
+  cancel();
 }
 
 TEST_F(ExportDialog, TheToleranceGrowsWithTheScale) {

@@ -114,6 +114,43 @@ TEST_F(FileHands, AFolderCanBeMadeAndLeft) {
   EXPECT_TRUE(marks().contains("dialog.place.root"));
 }
 
+TEST_F(FileHands, TypingGoesToWhatBeginsSoAndEnterTakesIt) {
+  bench_.type("B");
+  frames();
+  bench_.tap("Enter");
+  bench_.frame();
+  ASSERT_EQ(imports_.files.size(), 1U);
+  EXPECT_EQ(imports_.files[0].filename(), "b.stl");
+}
+
+TEST_F(FileHands, WhatNothingBeginsWithIsRefused) {
+  bench_.enter("no");
+  frames();
+  EXPECT_TRUE(imports_.files.empty());
+  EXPECT_TRUE(marks().contains("dialog.accept")) << "it stays open";
+}
+
+TEST_F(FileHands, HiddenFilesShowWhenTheyAreAskedFor) {
+  write(folder_.path() / ".secret.obj", 3, 1);
+  click("dialog.hidden");
+  EXPECT_GT(top(".secret.obj"), 0);
+  click("dialog.hidden");
+  EXPECT_EQ(top(".secret.obj"), -1);
+  EXPECT_GT(top("a2.obj"), 0);
+}
+
+/// The order of the list is none of the settings that a replay begins with.
+TEST_F(FileHands, ARecordingBeginsWithTheUsualOrder) {
+  click("dialog.sort.modified");
+  EXPECT_LT(top("a10.obj"), top("a2.obj"));
+  bench_.key("Esc");
+  frames();
+  bench_.workbench().forget_interface();
+  bench_.workbench().commands().run("file.import");
+  frames();
+  EXPECT_LT(top("a2.obj"), top("a10.obj"));
+}
+
 /// At 250 % in a small window the settings left no room for the list.
 TEST_F(FileHands, FilesShowAtEveryScale) {
   std::ofstream(folder_.path() / "model.hariko") << "{}";
@@ -201,6 +238,17 @@ TEST(FolderList, PlacesAreThoseOfTheDesktopOnce) {
   std::vector<std::string> ids;
   for (const Place& place : usual_places(home, config, recent)) ids.push_back(place.id);
   EXPECT_EQ(ids, (std::vector<std::string>{"home", "desktop", "downloads", "root", "recent.0"}));
+}
+
+TEST(FolderList, MountedDisksAreAmongThem) {
+  const std::string mounts =
+      "/dev/sda1 / ext4 rw 0 0\nproc /proc proc rw 0 0\n"
+      "/dev/sdb1 /media/ada/My\\040disk vfat rw 0 0\nhost:/share /mnt nfs rw 0 0\n";
+  const std::vector<Place> places = usual_places("/", "/nowhere", {}, mounts);
+  ASSERT_EQ(places.size(), 3U);
+  EXPECT_EQ(places[1].id, "mounted.0");
+  EXPECT_EQ(places[1].name, "My disk");
+  EXPECT_EQ(places[2].folder, "/mnt");
 }
 
 OpenedFile opened(const PolygonMesh& mesh) {

@@ -326,7 +326,7 @@ TEST_F(Measure, TheStatusLineTellsTheSizeOfWhatIsSelected) {
   select(ElementMode::vertex, {at(5), at(4), at(7)});
   EXPECT_TRUE(tells("3 vertices   angle 90\u00b0")) << hint();
   select(ElementMode::vertex, {at(4), at(5), at(6), at(7)});
-  EXPECT_TRUE(tells("4 vertices   |")) << hint();
+  EXPECT_TRUE(tells("4 vertices   size 100 \u00d7 100 \u00d7 0 mm")) << hint();
   select(ElementMode::edge, {element_of(EdgeId::of(VertexId{4}, VertexId{5}))});
   EXPECT_TRUE(tells("1 edge   length 1")) << "longer than 100 mm, as the curve bulges: " << hint();
   EXPECT_FALSE(tells("length 100 mm")) << hint();

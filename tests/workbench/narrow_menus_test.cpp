@@ -60,5 +60,16 @@ TEST_F(NarrowMenus, OfALargeInterfaceStandInOneAtTheEnd) {
   EXPECT_TRUE(marks().contains("menu.more"));
 }
 
+TEST_F(NarrowMenus, LeaveHalfOfTheStatusLineToTheKeysOfATool) {
+  run("select.edges");
+  run("select.all");
+  run("shape.crease");
+  bench_.wait_for_surfaces();
+  run("mesh.loop_cut");
+  frames(6);
+  EXPECT_GE(marks().at("status.left").width, 340);
+  expect_inside("status.right");
+}
+
 }  // namespace
 }  // namespace hariko::test

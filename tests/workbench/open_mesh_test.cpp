@@ -205,6 +205,33 @@ TEST_F(ImportOfFaults, AsksTheSame) {
   }
 }
 
+/// Objects chosen before would be deleted and moved with it.
+TEST_F(ImportOfFaults, WhatIsImportedIsChosenAlone) {
+  test::spill(folder() / "tent.obj",
+              "v 0 0 0\nv 9 0 0\nv 0 9 0\nv 0 0 9\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n");
+  exchange().import_file(folder() / "tent.obj");
+  wait();
+  ASSERT_EQ(editor().document().objects.size(), 1U);
+  const ObjectId first = editor().selection.active;
+  editor().mode = ElementMode::object;
+  editor().selection.select({first, element_of(first)}, Selection::How::add);
+  exchange().import_file(folder() / "tent.obj");
+  wait();
+  ASSERT_EQ(editor().document().objects.size(), 2U);
+  EXPECT_EQ(chosen_ids(editor()), std::vector{editor().document().objects.back()->id});
+}
+
+TEST_F(ImportOfFaults, AFileForADocumentThatIsGoneIsNotPutIntoTheNextOne) {
+  test::spill(folder() / "tent.obj",
+              "v 0 0 0\nv 9 0 0\nv 0 9 0\nv 0 0 9\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n");
+  exchange().import_file(folder() / "tent.obj");
+  editor().open(test::box("Other"), {});
+  wait();
+  ASSERT_EQ(editor().document().objects.size(), 1U);
+  EXPECT_EQ(editor().document().objects[0]->name, "Other");
+  EXPECT_NE(notice().find("was not imported"), std::string::npos) << notice();
+}
+
 TEST_F(OpenFile, TheRepairOfABrokenFileSplitsEdgesToo) {
   const auto mesh = folder_.path() / "faults.obj";
   test::spill(mesh, std::string(joint_and_turned()) + "f 6 7 8\n");  // three faces at each of its edges

@@ -131,6 +131,36 @@ TEST_F(PanelHands, ACopiedRowOfSolidsStaysSelectedWhileItsNumberIsChanged) {
   EXPECT_EQ(editor().selection.of(editor().selection.active).vertices.size(), 5U);
 }
 
+TEST_F(PanelHands, ALongListOfSolidsScrollsByItself) {
+  run("solid.sphere");
+  run("solid.row");
+  enter("field.copies", "12");
+  bench_.tap("Enter");
+  bench_.frame();
+  bench_.move(marks().at("solid.4").x + 20, marks().at("solid.4").y + 5);
+  for (int i = 0; i < 4; ++i) bench_.frame();
+  const int row = marks().at("solid.4").y, number = marks().at("field.solid.x").y;
+  bench_.wheel(-2);
+  for (int i = 0; i < 6; ++i) bench_.frame();
+  EXPECT_LT(marks().at("solid.4").y, row);
+  EXPECT_EQ(marks().at("field.solid.x").y, number) << "the panel ran after the row";
+}
+
+/// As work that ends beside the event loop takes the rows of the last step away.
+TEST_F(PanelHands, ANumberWhoseFieldGoesIsNotTakenByTheNextOneLikeIt) {
+  run("solid.sphere");
+  run("solid.row");
+  enter("field.copies", "7");
+  editor().commit(rename_object(editor().history.current(), editor().selection.active, "Pebbles"), "Rename");
+  for (int i = 0; i < 3; ++i) bench_.frame();
+  ASSERT_FALSE(marks().contains("field.copies"));
+  run("solid.row");
+  ASSERT_TRUE(marks().contains("field.copies"));
+  bench_.click("field.solid.x");
+  for (int i = 0; i < 3; ++i) bench_.frame();
+  EXPECT_EQ(editor().last_operation.numbers()[0].value, 3);
+}
+
 TEST_F(PanelHands, ABarBridgesTwoSolidsAndIsSelected) {
   run("solid.sphere");
   run("solid.row");
@@ -337,6 +367,7 @@ TEST_F(PanelHands, EveryWayToBeginHasTheSameSize) {
     bench_.wait_for_surfaces();
     const double millimetres = millimetres_per(unit);
     EXPECT_NEAR(world_box(*editor().active_object()).sizes().x() * millimetres, 100, 1e-9);
+    EXPECT_EQ(editor().active_object()->polyhedron()->frames, Frames::metric);
     editor().history.mark_saved(editor().history.serial());
     bench_.workbench().commands().run("file.new");
     bench_.frame();
@@ -345,6 +376,7 @@ TEST_F(PanelHands, EveryWayToBeginHasTheSameSize) {
     bench_.workbench().commands().run("add.box");
     bench_.frame();
     EXPECT_NEAR(world_box(*editor().active_object()).sizes().x() * millimetres, 100, 1e-9);
+    EXPECT_EQ(editor().active_object()->polyhedron()->frames, Frames::metric);
     editor().history.mark_saved(editor().history.serial());
   }
 }

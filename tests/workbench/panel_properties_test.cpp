@@ -224,6 +224,19 @@ TEST_F(PanelProperties, OfSkinsAndOutlinesInOtherModesAreCommands) {
     EXPECT_TRUE(seen_.contains(row)) << row << " was not looked at";
 }
 
+TEST_F(PanelProperties, OfOthersThatAreChosenAreCommands) {
+  const Document prism = document_from_mesh(test::prism(5), "Prism").value();
+  open(add_object(prism, "Facets", Source(MeshSource::from_mesh(test::prism(5)).value()))->document);
+  editor().mode = ElementMode::object;
+  for (const auto& each : editor().document().objects)
+    editor().selection.select({each->id, element_of(each->id)}, Selection::How::add);
+  frames();
+  ASSERT_TRUE(object().mesh());
+  for (const char* row : {"density", "merge_coplanar", "mode", "frames"})
+    EXPECT_FALSE(table().find(std::string("property.") + row)->why_not()) << row << " of the prism shows";
+  EXPECT_TRUE(table().find("property.rounding")->why_not());
+}
+
 TEST_F(PanelProperties, OfPicturesAndCopiesAreCommands) {
   PictureSource picture;
   picture.path = "/nowhere/view.png";

@@ -128,6 +128,30 @@ TEST_F(PaperHands, TheSizeIsThatOfTheSurfaceBeforeAndBehind) {
   EXPECT_NEAR(width, surface.sizes().x(), 1e-2 * width);
 }
 
+TEST_F(PaperHands, OtherPagesEndTheDragOfAPiece) {
+  Editor& editor = bench_.editor();
+  const Unfolding whole = pages();
+  const std::size_t pieces = whole.pieces.size();
+  Index fold = no_index;
+  for (Index e = 0; e < whole.graph->edge_count() && fold == no_index; ++e)
+    if (!whole.graph->edge(e).border() && !whole.graph->edge(e).inner && whole.folds[e]) fold = e;
+  ASSERT_NE(fold, no_index);
+  show(split_at(whole, fold).value());
+  ASSERT_EQ(pages().pieces.size(), pieces + 1);
+  const Marks::Rect at = bench_.workbench().marks().all().at("paper.piece." + std::to_string(pieces));
+  bench_.move(at.x + 1, at.y + 1);
+  bench_.press();
+  bench_.move(at.x + 30, at.y + 20);
+  ASSERT_TRUE(editor.paper.dragged);
+  const std::size_t steps = editor.history.position();
+  show(whole);  // as a search does that ends
+  EXPECT_FALSE(editor.paper.dragged) << "of pages that are gone";
+  bench_.move(at.x + 50, at.y + 30);
+  bench_.release();
+  EXPECT_EQ(editor.history.position(), steps);
+  EXPECT_EQ(pages().pieces.size(), pieces);
+}
+
 TEST_F(PaperHands, ASplitPieceMovesAside) {
   Index fold = no_index;
   for (Index e = 0; e < pages().graph->edge_count() && fold == no_index; ++e)

@@ -58,6 +58,19 @@ TEST_F(PaperOfACube, ALargerToleranceHasFewerFacetsAndUndoGivesThePagesBack) {
   EXPECT_EQ(places(), found_);
 }
 
+/// Half as many are about twice as far off.
+TEST_F(PaperOfACube, FewerFacetsAreAskedForByTheirNumber) {
+  const std::size_t fine = facets();
+  ASSERT_GE(fine, 20U);
+  const double distance = editor().document().paper->distance;
+  enter("paper_count", std::to_string(fine / 2));
+  wait();
+  expect_step(3, "Tolerance of the paper model");
+  EXPECT_GT(editor().document().paper->distance, 1.5 * distance);
+  ASSERT_TRUE(editor().paper.layout);
+  EXPECT_LT(facets(), fine);
+}
+
 TEST_F(PaperOfACube, AClickOnAFoldSplitsAndOneOnTheCutJoins) {
   const std::size_t whole = pieces(), joints = pages().unfolding.joints.size();
   const Index edge = lonely_fold();
@@ -122,6 +135,26 @@ TEST_F(PaperOfACube, PiecesAreMovedTurnedStraightenedAndArranged) {
   EXPECT_TRUE(sound());
   undo(4);
   EXPECT_EQ(places(), found_);
+}
+
+TEST_F(PaperOfACube, ThePagesStayInViewInASmallWindowUntilTheyAreMoved) {
+  ASSERT_EQ(marked("piece").size(), pieces());
+  ImGui::GetIO().DisplaySize = {800, 600};
+  wait();
+  EXPECT_EQ(marked("piece").size(), pieces());
+  const Marks::Rect view = marks().at("paper.view");
+  for (const char* mark : {"paper.unfold", "paper.arrange", "paper.fold", "paper.in_space"}) {
+    const Marks::Rect rect = marks().at(mark);
+    EXPECT_GE(rect.x, view.x) << mark;
+    EXPECT_LE(rect.x + rect.width, view.x + view.width) << mark;
+  }
+  const Vector2 middle(view.x + view.width / 2.0, view.y + view.height / 2.0);
+  bench().move(middle.x(), middle.y());
+  wheel(2);
+  const int width = marks().at("paper.page.0").width;
+  ImGui::GetIO().DisplaySize = {1440, 900};
+  wait();
+  EXPECT_EQ(marks().at("paper.page.0").width, width) << "what was zoomed was framed anew";
 }
 
 TEST_F(PaperOfACube, EscPutsAPieceBack) {

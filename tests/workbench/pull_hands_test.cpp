@@ -93,6 +93,9 @@ TEST_F(PullByHand, TheSurfaceFollowsThePointerAndPlacesCanBeMovedAndRemoved) {
   bench().key("Esc");
   press({"Ctrl+Z"});
   ASSERT_EQ(solid().pulls.size(), 1U);
+  ASSERT_TRUE(bench().workbench().commands().run("solid.sphere").ran);
+  EXPECT_FALSE(bench().workbench().commands().run("solid.remove_pulls").ran) << "another solid is selected";
+  editor().mode = ElementMode::object;  // an object is selected as a whole only
   EXPECT_TRUE(bench().workbench().commands().run("solid.remove_pulls").ran);
   EXPECT_TRUE(solid().pulls.empty());
   EXPECT_FALSE(bench().workbench().commands().run("solid.remove_pulls").ran) << "there are none";

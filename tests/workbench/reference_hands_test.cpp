@@ -116,6 +116,25 @@ TEST_F(ReferenceHands, TheSurfaceIsFittedToldOfAndAdjusted) {
   EXPECT_EQ(editor().document(), before);
 }
 
+TEST_F(ReferenceHands, AScanIsReducedAndUndoTakesItBack) {
+  open(cage_and_scans({1.1}));
+  const Document before = editor().document();
+  editor().mode = ElementMode::object;
+  EXPECT_FALSE(run("mesh.reduce_reference").ran) << "the cage has no facets";
+  editor().selection.active = before.objects[1]->id;
+  const auto facets = [&] { return editor().document().objects[1]->mesh()->mesh->face_count(); };
+  const std::size_t dense = facets();
+  from_palette("reduce the reference", "mesh.reduce_reference");
+  const std::size_t fewer = facets();
+  EXPECT_LT(fewer, dense);
+  EXPECT_GT(fewer, 0U);
+  EXPECT_NE(last_notice().find("off by"), std::string::npos) << last_notice();
+  EXPECT_TRUE(editor().last_operation.adjust(editor(), 0, 0.1));
+  EXPECT_LT(facets(), fewer) << "a larger distance needs fewer";
+  editor().undo();
+  EXPECT_EQ(editor().document(), before);
+}
+
 TEST_F(ReferenceHands, OfSeveralScansTheChosenOneCounts) {
   open(cage_and_scans({0.8, 1.5}));
   select_vertices({0});

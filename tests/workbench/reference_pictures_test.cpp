@@ -188,6 +188,30 @@ TEST_F(ReferencePicturesByHand, PastedPathsArriveAsDroppedFilesDo) {
   EXPECT_EQ(editor.document().objects.size(), 1U);
 }
 
+TEST_F(ReferencePicturesByHand, NothingLandsInADocumentThatWasOpenedMeanwhile) {
+  drop_files({red_file()});
+  editor.open(document_from_mesh(test::cube(), "Other").value(), {});
+  settle();
+  EXPECT_EQ(editor.document().objects.size(), 1U);
+  EXPECT_EQ(notices("red.png was not added"), 1U);
+
+  drop({red_file()});
+  ASSERT_EQ(editor.document().objects.size(), 2U);
+  jobs.replace(picture().id, red_file("other.png"));
+  const Document same = editor.document();
+  editor.open(same, {});
+  settle();
+  EXPECT_EQ(picture().picture()->path, (folder.path() / "red.png").generic_string());
+}
+
+TEST_F(ReferencePicturesByHand, OfFilesDroppedOnTheStartPageTheFirstIsOpenedAndTheOthersImported) {
+  const fs::path first = folder.path() / "tent.obj", second = folder.path() / "pole.obj";
+  editor.has_document = false;
+  drop({first, second});
+  EXPECT_EQ(opened, std::vector{first});
+  EXPECT_EQ(imported, std::vector{second});
+}
+
 TEST_F(ReferencePicturesByHand, APastedModelIsImportedAndAPastedDocumentOpened) {
   const fs::path mesh = folder.path() / "tent.obj", model = folder.path() / "cup.hariko";
   paste(mesh.string());

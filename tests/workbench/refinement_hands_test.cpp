@@ -116,6 +116,21 @@ TEST_F(RefinementHands, TheMirrorOfAHalfKeepsTheForm) {
   EXPECT_LT(distance(before, shown()), 0.06);
 }
 
+/// The steps of the complaint: this box had equal frames, and its mirror made a spool of the ball.
+TEST_F(RefinementHands, TheBoxThatADocumentBeginsWithKeepsItsFormToo) {
+  editor().history.mark_saved(editor().history.serial());
+  ASSERT_TRUE(bench_.workbench().commands().run("file.new_from_box").ran);
+  bench_.wait_for_surfaces();
+  ASSERT_EQ(source().frames, Frames::metric);
+  const Scene before = shown();
+  for (const char* mirror : {"mirror.live_x", "mirror.live_y", "mirror.live_z"}) {
+    SCOPED_TRACE(mirror);
+    ASSERT_TRUE(bench_.workbench().commands().run(mirror).ran);
+    EXPECT_LT(distance(before, shown()), 0.02);
+    editor().undo();
+  }
+}
+
 TEST_F(RefinementHands, SubdividingKeepsTheForm) {
   const Scene before = shown();
   press({"3", "Ctrl+A"});

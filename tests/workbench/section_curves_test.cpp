@@ -84,6 +84,19 @@ TEST_F(SectionCurvesByHand, PlanesThroughAllObjectsComeAndGo) {
   EXPECT_TRUE(scene().curves.empty());
 }
 
+/// A replay begins without them, so that rows of the panel would stand elsewhere in it.
+TEST_F(SectionCurvesByHand, ARecordingBeginsWithoutThem) {
+  from_palette("section curves", "analyse.section_curves");
+  ASSERT_TRUE(editor().sections.shown);
+  editor().begin_recording();
+  bench_->workbench().forget_interface();
+  make_curves();
+  EXPECT_FALSE(editor().sections.shown);
+  EXPECT_FALSE(editor().sections.placed);
+  EXPECT_TRUE(scene().curves.empty());
+  editor().end_recording();
+}
+
 TEST_F(SectionCurvesByHand, CombsGoOffAndOnAndGetLonger) {
   from_palette("section curves", "analyse.section_curves");
   const double length = tooth_length(*editor().sections.set, editor().sections.combs.scale);

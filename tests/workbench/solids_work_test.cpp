@@ -1,6 +1,8 @@
 // Solids by hand: added from the menu and placed with the mouse, picked, dragged, changed in the properties,
 // copied and deleted; the surface round them with its bodies, its plane of symmetry and its methods.
 
+#include <imgui_internal.h>
+
 #include <string>
 #include <vector>
 
@@ -64,6 +66,17 @@ TEST_F(FourSolids, OneFollowsThePointerAndUndoPutsItBack) {
   EXPECT_LT((at(1) - to).cwiseAbs().maxCoeff(), 12) << "it did not follow the pointer";
   undo();
   EXPECT_EQ(solids()[1], before);
+}
+
+TEST_F(FourSolids, TheNumbersOfARowThatIsClickedComeIntoSightBelowTheList) {
+  const int before = marks().at("solid.2").y;
+  click("solid.2");
+  wait();
+  EXPECT_EQ(marks().at("solid.2").y, before) << "the row went away from under the pointer";
+  ASSERT_TRUE(shows("field.solid.x"));
+  EXPECT_GT(marks().at("field.solid.x").y, marks().at("solid.3").y);
+  const ImGuiWindow* panel = ImGui::FindWindowByName("Properties");
+  EXPECT_LT(float(marks().at("field.solid.x").y), panel->Pos.y + panel->Size.y);
 }
 
 TEST_F(FourSolids, ADragAcrossTheOthersIsOneStepAndEndsWithASurface) {

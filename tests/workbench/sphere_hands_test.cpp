@@ -73,6 +73,19 @@ TEST_F(SphereByHand, SitesAndPlacesOfTheModelLightUpTogether) {
   EXPECT_FALSE(marks().contains("gauss.hovered"));
 }
 
+TEST_F(SphereByHand, ItsBarsHaveRoomInASmallWindow) {
+  ImGui::GetIO().DisplaySize = {800, 600};
+  wait();
+  const Marks::Rect view = marks().at("gauss.view");
+  for (const char* mark : {"gauss.triangles", "gauss.close", "gauss.step"}) {
+    const Marks::Rect rect = marks().at(mark);
+    EXPECT_GE(rect.x, view.x) << mark;
+    EXPECT_LE(rect.x + rect.width, view.x + view.width) << mark;
+  }
+  click("gauss.close");
+  EXPECT_FALSE(marks().contains("gauss.view"));
+}
+
 TEST_F(SphereByHand, TheViewTurnsWithTheSphere) {
   const Vector2 before = middle_of("outline.point.0");
   const Marks::Rect view = marks().at("gauss.view");

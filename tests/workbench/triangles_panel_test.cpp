@@ -77,6 +77,15 @@ TEST_F(TrianglesPanel, TheirEdgesLieOverTheSurfaceAndTheyStandAloneInItsPlace) {
   EXPECT_LT(differing(smooth_, picture()), 0.01) << "the smooth surface is not back";
 }
 
+TEST_F(TrianglesPanel, TracksOfTheTolerancesHaveOneLength) {
+  const Marks::Rect first = marks().at("meshing.distance");
+  for (const char* id : {"normal", "fold", "luminance", "edge", "angle"}) {
+    const Marks::Rect other = marks().at(std::string("meshing.") + id);
+    EXPECT_EQ(other.x, first.x) << id;
+    EXPECT_EQ(other.width, first.width) << id;
+  }
+}
+
 TEST_F(TrianglesPanel, ASmallerDistanceMakesMoreOfThemWhileItIsDragged) {
   const int first = count();
   const std::size_t steps = editor().history.position();

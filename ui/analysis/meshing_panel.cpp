@@ -23,7 +23,7 @@ namespace hariko {
 
 namespace {
 
-constexpr float value_column = 116, histogram_height = 48;
+constexpr float track_column = 136, number_width = 84, histogram_height = 48;
 
 struct Row {
   const char *id, *label, *help;
@@ -69,17 +69,17 @@ void criterion_row(PanelContext& context, Meshing& meshing, std::size_t index) {
   const std::string mark = std::string("meshing.") + row.id;
   option_check(context, (mark + ".on").c_str(), row.label, row.help, own.on);
   point_out(context, mark.c_str());
-  ImGui::SameLine(context.metrics.px(value_column + 16));
+  ImGui::SameLine(context.metrics.px(track_column));
   const double factor = row.length ? meshing.size : 1;
   const double low = row.low * factor, high = row.high * factor;
   const std::string format =
       row.length ? "%.3g " + std::string(to_string(context.editor.document().unit)) : std::string(row.format);
   {
     const Disabled disabled(!own.on);
-    number_slider(
-        context.marks, mark,
-        {low, high, format.c_str(), ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_NoRoundToFormat},
-        own.value);
+    number_slider(context.marks, mark,
+                  {low, high, format.c_str(), ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_NoRoundToFormat,
+                   context.metrics.px(number_width)},
+                  own.value);
   }
   if (!std::isfinite(own.value)) own.value = low;
   ImGui::PopID();
@@ -99,7 +99,7 @@ void way_rows(PanelContext& context, MeshingSettings& settings) {
                "Looks for the smallest mesh within the tolerance. Takes many times longer.",
                settings.optimise);
   point_out(context, "meshing.optimise");
-  ImGui::SameLine(context.metrics.px(value_column + 16));
+  ImGui::SameLine(context.metrics.px(track_column));
   option_check(context, "meshing.balanced", "Balanced",
                "Vertices may leave the surface where it is bent one way only: fewer still",
                settings.balanced);
@@ -250,6 +250,7 @@ void draw_meshing(PanelContext& context, const PanelRect& rect) {
   if (begin_panel("Meshing", rect, palette().panel, {m.px(14), m.px(12)})) {
     heading(context, "Triangles");
     ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - m.px(24));
+    ImGui::SetCursorPosY(ImGui::GetCursorPosY() - m.px(4));  // its middle is that of the heading
     if (icon_button(context, icon::close, "meshing.close", "Close", false, 24)) context.run("analyse.mesh");
     const auto object = meshed_object(editor.document(), editor.selection.active);
     if (!object) {

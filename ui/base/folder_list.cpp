@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <chrono>
 #include <fstream>
+#include <sstream>
 #include <system_error>
 
 #include "core/base/text/natural_order.hpp"
@@ -31,10 +33,40 @@ fs::path user_folder(const std::string& line, const fs::path& home) {
   return value.starts_with("/") ? fs::path(value) : fs::path();
 }
 
+/// Text in which a backslash and three octal digits stand for a character, as "\040" for a space.
+std::string without_octal(const std::string& text) {
+  constexpr std::size_t digits = 3;
+  std::string out;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const std::string code = text[i] == '\\' ? text.substr(i + 1, digits) : std::string();
+    const bool octal = code.size() == digits && code.find_first_not_of("01234567") == std::string::npos;
+    out += octal ? static_cast<char>(std::stoi(code, nullptr, 8)) : text[i];
+    if (octal) i += digits;
+  }
+  return out;
+}
+
+/// Folders where disks and sticks are mounted, in the order of the text.
+std::vector<fs::path> mounted_folders(const std::string& mounts) {
+  constexpr std::array<std::string_view, 3> usual{"/media/", "/run/media/", "/mnt/"};
+  std::vector<fs::path> out;
+  std::istringstream lines(mounts);
+  for (std::string line; std::getline(lines, line);) {
+    std::istringstream words(line);
+    std::string device, folder;
+    words >> device >> folder;
+    folder = without_octal(folder);
+    if (folder == "/mnt" || std::ranges::any_of(usual, [&](auto begin) { return folder.starts_with(begin); }))
+      out.emplace_back(folder);
+  }
+  return out;
+}
+
 }  // namespace
 
 Result<std::vector<FolderEntry>> list_folder(const fs::path& folder,
-                                             const std::function<bool(const fs::path&)>& matches) {
+                                             const std::function<bool(const fs::path&)>& matches,
+                                             bool hidden) {
   // Not every folder can be read, and none must be able to stop the program.
   std::error_code error;
   fs::directory_iterator it(folder, fs::directory_options::skip_permission_denied, error);
@@ -47,7 +79,7 @@ Result<std::vector<FolderEntry>> list_folder(const fs::path& folder,
     if (error) break;
     std::error_code unknown;
     FolderEntry entry{it->path().filename().string(), it->is_directory(unknown), 0, 0};
-    if (entry.name.starts_with(".") || (!entry.folder && !matches(it->path()))) continue;
+    if ((!hidden && entry.name.starts_with(".")) || (!entry.folder && !matches(it->path()))) continue;
     if (!entry.folder) entry.size = it->file_size(unknown);
     if (unknown) entry.size = 0;
     const auto time = it->last_write_time(unknown);
@@ -69,12 +101,27 @@ void sort_entries(std::vector<FolderEntry>& entries, FolderOrder order, bool des
   });
 }
 
+std::optional<std::size_t> first_beginning_with(std::span<const FolderEntry> entries,
+                                                std::string_view typed) {
+  if (typed.empty()) return {};
+  const auto same = [](char a, char b) {
+    return std::tolower(static_cast<unsigned char>(a)) == std::tolower(static_cast<unsigned char>(b));
+  };
+  const auto begins = [&](const FolderEntry& entry) {
+    return entry.name.size() >= typed.size() &&
+           std::equal(typed.begin(), typed.end(), entry.name.begin(), same);
+  };
+  const auto found = std::ranges::find_if(entries, begins);
+  if (found == entries.end()) return {};
+  return static_cast<std::size_t>(found - entries.begin());
+}
+
 std::vector<Place> usual_places(const fs::path& home, const fs::path& config,
-                                std::span<const fs::path> recent) {
+                                std::span<const fs::path> recent, const std::string& mounts) {
   std::vector<Place> places;
-  const auto add = [&](std::string id, const fs::path& folder) {
+  const auto add = [&](std::string id, const fs::path& folder, bool surely = false) {
     std::error_code error;
-    if (folder.empty() || !fs::is_directory(folder, error)) return;
+    if (folder.empty() || (!surely && !fs::is_directory(folder, error))) return;
     const fs::path clean = folder.lexically_normal();
     const auto same = [&](const Place& place) { return place.folder == clean; };
     if (std::ranges::any_of(places, same)) return;
@@ -90,6 +137,11 @@ std::vector<Place> usual_places(const fs::path& home, const fs::path& config,
     for (const auto& [key, id] : named)
       if (line.starts_with(key)) add(std::string(id), user_folder(line, home));
   add("root", "/");
+  // Not looked at: a share whose server does not answer would hold up the window.
+  constexpr std::size_t most_mounted = 8;
+  const std::vector<fs::path> mounted = mounted_folders(mounts);
+  for (std::size_t i = 0; i < std::min(mounted.size(), most_mounted); ++i)
+    add("mounted." + std::to_string(i), mounted[i], true);
   constexpr std::size_t most_recent = 5;
   std::size_t count = 0;
   for (const fs::path& path : recent) {

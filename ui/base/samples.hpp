@@ -17,9 +17,9 @@ inline constexpr std::array beginnings{Beginning::polyhedron, Beginning::solids,
 
 /// A texture, or the upper left part of one.
 struct Picture {
-  ImTextureID texture = nullptr;  ///< null until it is there
-  ImVec2 used{1, 1};              ///< texture coordinates of the part's lower right corner
-  float aspect = 1.5F;            ///< width by height
+  unsigned texture = 0;  ///< name of OpenGL; 0 until it is there
+  ImVec2 used{1, 1};     ///< texture coordinates of the part's lower right corner
+  float aspect = 1.5F;   ///< width by height
 };
 
 struct Sample {

@@ -47,26 +47,10 @@ void Editor::begin_recording() {
   recorded_document_ = documents;
   history = history.fork();
   recording = true;
-  selection = {};
+  static_cast<InterfaceState&>(*this) = {};
   selection.prune(history.current());
-  mode = ElementMode::vertex;
-  hovered.reset();
-  view = {};
-  working_plane = {};
-  saved_view.clear();
-  transform = {};
-  selecting = {};
-  last_click.reset();
-  left_out.reset();
-  kept_probe.reset();
-  dimensions = {};
-  last_operation = {};
-  recompute = {};
-  cursor_note.reset();
   notices_.clear();
   guide.leave();
-  paper = {};
-  layout = {};
   wants_framing = true;
 }
 

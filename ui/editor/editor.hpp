@@ -109,34 +109,53 @@ struct ScriptProgress {
   std::size_t left_out = 0;  ///< edits without a command
 };
 
-class Editor {
- public:
-  History history;
+/// State of the interface beside the document: what is selected, how it is looked at, what panels show. No
+/// file keeps it, and a recording and its replay both begin with a fresh one.
+struct InterfaceState {
   Selection selection;
   ElementMode mode = ElementMode::vertex;
   ChosenGroup chosen_group;
   std::optional<ElementRef> hovered;
   ViewSettings view;
+  ViewLayout layout;
   std::string saved_view;      ///< name of the one that was gone to or saved last; empty for none
   WorkingPlane working_plane;  ///< in which tools draw and place
   TransformSettings transform;
   SelectSettings selecting;
   std::optional<LastClick> last_click;
   std::optional<LeftOut> left_out;
-  Settings settings;
-  FrameTimes frame_times;
   Recompute recompute;
   DimensionView dimensions;                ///< with their values; `update` brings them up to date
   std::optional<SurfacePoint> kept_probe;  ///< its readings stay on the screen and follow the surface
-  Language language;                       ///< the catalogue of settings.language
-  std::vector<LanguageFile> languages;     ///< choices beside English
   LastOperation last_operation;
   Meshing meshing;
   MeshImport mesh_import;
   PaperState paper;
   GaussView gauss;
   SectionCurves sections;
-  References references;  ///< the pixels of reference pictures
+  std::optional<CursorNote> cursor_note;
+  bool rename_wanted = false;  ///< the list of objects makes the active one's name a field
+};
+
+/// Facts of the present frame, which the application writes.
+struct FrameFacts {
+  double now = 0;                                          ///< steady clock, seconds
+  std::vector<std::shared_ptr<const Job>> jobs;            ///< long work in progress, oldest first
+  const std::map<ObjectId, SurfaceView>* views = nullptr;  ///< surfaces that are ready
+  std::map<ObjectId, double> stale_since;                  ///< objects whose surface is being rebuilt
+  PixelSize viewport{1, 1};                                ///< the active view, framebuffer pixels
+  double pixel_scale = 1;                                  ///< framebuffer pixels per design pixel
+};
+
+/// The session: the document with its history and its file, settings and notices.
+class Editor : public InterfaceState, public FrameFacts {
+ public:
+  History history;
+  Settings settings;
+  FrameTimes frame_times;
+  Language language;                    ///< the catalogue of settings.language
+  std::vector<LanguageFile> languages;  ///< choices beside English
+  References references;                ///< the pixels of reference pictures
   /// Levels of the environment of the settings, while the view shows it; null until they are there.
   std::shared_ptr<const EnvironmentLevels> environment;
 
@@ -146,20 +165,11 @@ class Editor {
   int exports = 0;                                 ///< files exported since the program began
   bool recording = false;                          ///< writes what the user does as a replay
   std::optional<ScriptProgress> script_recording;  ///< while commands are written as a script
-  bool rename_wanted = false;                 ///< the list of objects makes the active one's name a field
-  bool wants_framing = false;                 ///< frames all views, as soon as their sizes are known
-  std::optional<std::filesystem::path> path;  ///< file of the document on disk
-  bool read_only = false;                     ///< the file at `path` is not to be overwritten
-  std::string suggested_name;                 ///< name of a document without a path, for its first save
-  std::uint64_t documents = 0;                ///< number of opened ones; names the one that is open
-
-  /// Written by the application each frame.
-  double now = 0;                                          ///< steady clock, seconds
-  std::vector<std::shared_ptr<const Job>> jobs;            ///< long work in progress, oldest first
-  const std::map<ObjectId, SurfaceView>* views = nullptr;  ///< surfaces that are ready
-  std::map<ObjectId, double> stale_since;                  ///< objects whose surface is being rebuilt
-  PixelSize viewport{1, 1};                                ///< the active view, framebuffer pixels
-  double pixel_scale = 1;                                  ///< framebuffer pixels per design pixel
+  bool wants_framing = false;                      ///< frames all views, as soon as their sizes are known
+  std::optional<std::filesystem::path> path;       ///< file of the document on disk
+  bool read_only = false;                          ///< the file at `path` is not to be overwritten
+  std::string suggested_name;                      ///< name of a document without a path, for its first save
+  std::uint64_t documents = 0;                     ///< number of opened ones; names the one that is open
 
   const Document& document() const { return history.shown(); }
   const Object* active_object() const { return document().find(selection.active); }
@@ -219,7 +229,6 @@ class Editor {
   std::function<void(Notice::Kind, const std::string& text)> on_notice;
   std::deque<Notice>& notices() { return notices_; }
   const std::deque<Notice>& notices() const { return notices_; }
-  std::optional<CursorNote> cursor_note;
   /// Takes up the characters of a text from elsewhere (names of files, of objects in messages): fonts are
   /// loaded for what is shown, whatever the language of the interface.
   void show_text(std::string_view text);
@@ -227,7 +236,6 @@ class Editor {
   /// Whether a notice shows that goes away by itself.
   bool notices_expire() const;
 
-  ViewLayout layout;
   /// The camera of the active view now, eased while a change is under way.
   Camera camera() const { return layout.active_view().camera(now); }
   /// At once; ends a flight.

@@ -64,9 +64,6 @@ struct PaperFault {
 
 class PaperState {
  public:
-  /// The job of the search, as it is named in the status line.
-  static constexpr const char* search_text = translatable("Unfolding the model");
-
   bool shown = false;                          ///< the paper view stands beside the views of the model
   bool in_space = true;                        ///< the views of the model show the paper, folded up
   float folded = 1;                            ///< 0 flat pages .. 1 solid

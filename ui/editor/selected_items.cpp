@@ -1,5 +1,8 @@
 #include "ui/editor/selected_items.hpp"
 
+#include <map>
+#include <string_view>
+
 #include "core/base/text/nearest_word.hpp"
 #include "core/base/text/sanitized_utf8.hpp"
 #include "core/document/group_tree.hpp"
@@ -41,14 +44,16 @@ void choose_objects(Editor& editor, std::span<const ObjectId> objects) {
 }
 
 Result<std::vector<ObjectId>> objects_named(const Document& document, std::span<const std::string> names) {
+  std::map<std::string_view, std::vector<ObjectId>> called;
+  for (const auto& object : document.objects) called[object->name].push_back(object->id);
   std::vector<ObjectId> out;
-  std::vector<std::string> known;
-  for (const auto& object : document.objects) known.push_back(object->name);
   for (const std::string& name : names) {
-    const std::size_t before = out.size();
-    for (const auto& object : document.objects)
-      if (object->name == name) out.push_back(object->id);
-    if (out.size() > before) continue;
+    if (const auto found = called.find(name); found != called.end()) {
+      out.insert(out.end(), found->second.begin(), found->second.end());
+      continue;
+    }
+    std::vector<std::string> known;
+    for (const auto& object : document.objects) known.push_back(object->name);
     constexpr std::size_t shown_bytes = 120;
     const auto near = nearest_word(name, known);
     return make_error(e_no_object_named,

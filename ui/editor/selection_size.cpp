@@ -63,12 +63,17 @@ std::size_t corner_of(const Editor& editor, const ElementSelection& elements,
 std::string vertices_text(const Editor& editor, const Object& object, const ElementSelection& elements) {
   const Language& tr = editor.language;
   const std::size_t count = elements.vertices.size();
-  if (count == 0 || count > 3) return {};
+  if (count == 0 || count > points_a_frame) return {};
   const std::vector<Vector3> places = places_of(editor, object, elements);
   if (places.size() != count) return {};
   if (count == 1) return fill(tr("position {0}"), {numbers_text(editor, places[0], "  ")});
   if (count == 2)
     return fill(tr("distance {0}"), {length_of_selection(editor, (places[1] - places[0]).norm())});
+  if (count > 3) {
+    Box3 box;
+    for (const Vector3& place : places) box.extend(place);
+    return fill(tr("size {0}"), {numbers_text(editor, box.sizes(), " \u00d7 ")});
+  }
   const std::size_t corner = corner_of(editor, elements, places);
   const double radians =
       angle_between(places[(corner + 1) % 3] - places[corner], places[(corner + 2) % 3] - places[corner]);

@@ -13,9 +13,9 @@
 namespace hariko {
 
 /// Size of what is selected of the active object: position of one vertex, distance of two, angle of three,
-/// total length of edges, area of faces; in object mode the size of the chosen objects together. Edges and
-/// faces of polyhedra are measured on the surface, or on the cage where the surface cannot be made. In the
-/// document's space.
+/// size of the box round more; total length of edges, area of faces; in object mode the size of the chosen
+/// objects together. Edges and faces of polyhedra are measured on the surface, or on the cage where the
+/// surface cannot be made. In the document's space.
 class SelectionSize {
  public:
   /// Measures what is not measured yet, a part of a large selection; begins anew where the selection or what

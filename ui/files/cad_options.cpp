@@ -34,6 +34,8 @@ void CadOptions::begin(const Editor& editor) {
   if (!suits) take_quality(settings_.choices.quality, unit);
   if (settings_.choices.angle == 0) settings_.choices.angle = grade_of(settings_.choices.quality).angle;
   tolerance_text_ = angle_text_ = scale_text_ = {};
+  settings_.wall = {};  // another part has another one
+  wall_options_.begin();
   count_.reset();
 }
 
@@ -140,6 +142,7 @@ bool CadOptions::draw(PanelContext& context, const std::filesystem::path& name) 
   tolerance_row(context);
   option_label(context, "Objects");
   option_check(context, "export.cad_selected", "selected objects only", "", settings_.only_selected);
+  wall_options_.draw(context, size_, settings_.wall);
   unit_row(context);
   schema_row(context, name);
   result_rows(context);

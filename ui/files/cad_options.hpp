@@ -10,6 +10,7 @@
 #include "core/cad/cad_totals.hpp"
 #include "ui/base/quantity.hpp"
 #include "ui/files/export_settings.hpp"
+#include "ui/files/wall_options.hpp"
 #include "ui/widgets/panels.hpp"
 
 namespace hariko {
@@ -41,6 +42,7 @@ class CadOptions {
   void take_quality(CadQuality quality, Unit unit);
 
   CadSettings settings_;
+  WallOptions wall_options_;
   double size_ = 0;  ///< diagonal of what is visible
   std::string tolerance_text_, angle_text_, scale_text_;
   std::optional<Result<CadTotals>> count_;  ///< totals for `settings_`; nothing while they are being found

@@ -36,7 +36,9 @@ void ExportOptions::take_up(const std::filesystem::path& name) {
   const std::string extension = lower_ending(name);
   if (extension == extension_ || !written_format(name)) return;
   extension_ = extension;
+  const Wall wall = settings_.wall;  // belongs to the part, whatever the format
   if (const auto found = remembered_.find(extension); found != remembered_.end()) settings_ = found->second;
+  settings_.wall = wall;
   suit_size();
 }
 
@@ -53,6 +55,8 @@ void ExportOptions::begin(const Editor& editor, const std::filesystem::path& nam
   size_ = box.isEmpty() ? 1 : box.diagonal().norm();
   take_up(name);
   suit_size();
+  settings_.wall = {};  // another part has another one
+  wall_options_.begin();
   count_.reset();
 }
 
@@ -153,9 +157,10 @@ bool ExportOptions::draw(PanelContext& context, const std::filesystem::path& nam
     ImGui::SameLine();
     plain_text(context.tr("intervals a patch side"));
   }
+  wall_options_.draw(context, size_, settings_.wall);
   file_row(context, written_format(name).value_or(FormatChoices{}));
   result_row(context);
-  if (!extension_.empty()) remembered_[extension_] = settings_;
+  if (!extension_.empty()) (remembered_[extension_] = settings_).wall = {};
   // In a format whose digits count, all that changes the numbers does.
   const bool digits = rounds(extension_) || rounds(extension_before);
   if (digits ? extension_ == extension_before && settings_.same_digits(before)

@@ -11,6 +11,7 @@
 #include "core/base/result.hpp"
 #include "core/exchange/mesh_file.hpp"
 #include "ui/files/export_settings.hpp"
+#include "ui/files/wall_options.hpp"
 #include "ui/widgets/panels.hpp"
 
 namespace hariko {
@@ -43,6 +44,7 @@ class ExportOptions {
   void result_row(PanelContext& context) const;
 
   ExportSettings settings_;
+  WallOptions wall_options_;
   std::string extension_;  ///< format whose settings these are
   std::map<std::string, ExportSettings> remembered_;
   double size_ = 0;  ///< diagonal of what is visible

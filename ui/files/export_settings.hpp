@@ -10,6 +10,7 @@
 #include "core/base/text/enum_words.hpp"
 #include "core/document/format/cad_choices.hpp"
 #include "core/document/format/file_choices.hpp"
+#include "core/offset/offset_surface.hpp"
 
 namespace hariko {
 
@@ -22,6 +23,7 @@ struct ExportSettings {
   int density = 16;       ///< intervals a patch side
   FileChoices choices = {};
   bool only_selected = false;
+  Wall wall = {};  ///< distance and thickness of surfaces, in the document's space
 
   friend bool operator==(const ExportSettings&, const ExportSettings&) = default;
   /// True when both give the same triangles, however their numbers are written.
@@ -44,13 +46,14 @@ inline constexpr auto enum_words<ExportSettings::By> = all_words<ExportSettings:
 struct CadSettings {
   CadChoices choices;
   bool only_selected = false;
+  Wall wall = {};
 
   friend bool operator==(const CadSettings&, const CadSettings&) = default;
   /// True when both give the same faces, however their numbers are written.
   bool same_faces(const CadSettings& other) const {
     return choices.tolerance == other.choices.tolerance && choices.angle == other.choices.angle &&
            choices.exact == other.choices.exact && choices.whole_faces == other.choices.whole_faces &&
-           choices.scale == other.choices.scale && only_selected == other.only_selected;
+           choices.scale == other.choices.scale && only_selected == other.only_selected && wall == other.wall;
   }
 };
 

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <cstdlib>
+#include <fstream>
+#include <sstream>
 #include <string_view>
 #include <utility>
 
@@ -66,6 +68,13 @@ fs::path home() {
   return folder_of("HOME", "/");
 }
 
+/// Text of the kernel's list of what is mounted; empty where there is none.
+std::string mounts() {
+  std::ostringstream text;
+  text << std::ifstream("/proc/self/mounts").rdbuf();
+  return text.str();
+}
+
 /// "Wavefront OBJ (.obj)".
 std::string format_text(const Language& tr, const std::string& ending) {
   const std::string name = tr(std::string(format_name(ending)));
@@ -103,7 +112,8 @@ bool FileDialog::matches(const fs::path& file) const {
 }
 
 void FileDialog::go_to(const fs::path& folder) {
-  auto entries = list_folder(folder, [this](const fs::path& file) { return matches(file); });
+  auto entries = list_folder(
+      folder, [this](const fs::path& file) { return matches(file); }, hidden_);
   if (!entries.ok()) {
     error_ = Phrase(translatable("The folder {0} cannot be read."), {folder.string()});
     return;
@@ -150,6 +160,11 @@ void FileDialog::submit(bool overwrite) {
       return;
     }
   } else if (!fs::exists(path, error)) {
+    // The entry that typing went to.
+    if (at_ && entries_[*at_].name != name_ && first_beginning_with(entries_, name_) == at_) {
+      name_ = entries_[*at_].name;
+      return submit(overwrite);
+    }
     error_ = Phrase(translatable("There is no file {0}."), {path.string()});
     return;
   }
@@ -167,6 +182,11 @@ void FileDialog::step(int by) {
   name_ = entries_[*at_].name;
   ask_overwrite_ = false;
   scroll_ = true;
+}
+
+void FileDialog::follow_typing() {
+  at_ = first_beginning_with(entries_, name_);
+  scroll_ = at_.has_value();
 }
 
 void FileDialog::make_folder(PanelContext& context) {
@@ -187,7 +207,7 @@ void FileDialog::draw_places(PanelContext& context, float width, float height) {
   if (places_.empty()) {
     std::vector<fs::path> recent;
     for (const RecentFile& file : context.offers.recent) recent.push_back(file.path);
-    places_ = usual_places(home(), folder_of("XDG_CONFIG_HOME", home() / ".config"), recent);
+    places_ = usual_places(home(), folder_of("XDG_CONFIG_HOME", home() / ".config"), recent, mounts());
   }
   ImGui::PushStyleColor(ImGuiCol_ChildBg, palette().panel);
   ImGui::BeginChild("places", {width, height}, false,
@@ -216,7 +236,9 @@ void FileDialog::draw_path(PanelContext& context) {
   const Metrics& m = context.metrics;
   if (icon_button(context, icon::up, "dialog.up", "Parent folder", false, 26)) go_to(folder_.parent_path());
   const float button = ImGui::CalcTextSize(context.tr("New folder")).x + m.px(24);
-  const float end = ImGui::GetWindowContentRegionMax().x - button;
+  constexpr float eye = 26;
+  const float new_folder_at = ImGui::GetWindowContentRegionMax().x - button;
+  const float end = new_folder_at - m.px(eye) - ImGui::GetStyle().ItemSpacing.x;
   std::vector<fs::path> folders;
   for (fs::path at = folder_;; at = at.parent_path()) {
     folders.insert(folders.begin(), at);
@@ -242,6 +264,12 @@ void FileDialog::draw_path(PanelContext& context) {
     ImGui::PopStyleColor();
   }
   ImGui::SameLine(end);
+  if (icon_button(context, hidden_ ? icon::shown : icon::hidden, "dialog.hidden",
+                  translatable("Show hidden files"), hidden_, eye)) {
+    hidden_ = !hidden_;
+    wanted = folder_;
+  }
+  ImGui::SameLine(new_folder_at);
   if (text_button(context.marks, "dialog.new_folder", context.tr("New folder"), button))
     new_folder_ = new_folder_ ? std::nullopt : std::optional(std::string(context.tr("New folder")));
   if (!wanted.empty()) go_to(wanted);
@@ -317,7 +345,10 @@ void FileDialog::draw_name(PanelContext& context) {
                  context.tr(request_.saving ? translatable("File name") : translatable("File name or path")),
                  ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll, neighbour);
   if (ImGui::IsItemEdited()) ask_overwrite_ = false;
+  // Keys that go through the list have changed the name, too.
+  const bool typed = text != name_;
   name_ = text;
+  if (typed && !request_.saving) follow_typing();
   if (entered) {
     submit(ask_overwrite_);
     focus_name_ = open_;  // Enter took the keyboard away

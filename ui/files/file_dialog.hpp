@@ -59,6 +59,8 @@ class FileDialog {
   void draw_footer(PanelContext& context, bool folded);
   void choose_format(std::size_t number);
   void make_folder(PanelContext& context);
+  /// Goes in the list to what begins with the name as far as it is typed.
+  void follow_typing();
   /// The entry that many rows further down becomes the name.
   void step(int by);
   void submit(bool overwrite);
@@ -70,7 +72,7 @@ class FileDialog {
   bool focus_name_ = false;          ///< the name gets the keyboard back
   std::optional<std::size_t> only_;  ///< the one extension whose files are shown when opening
   FolderOrder order_ = FolderOrder::name;
-  bool descending_ = false;
+  bool descending_ = false, hidden_ = false;
   std::optional<std::string> new_folder_;         ///< its name while it is typed
   std::filesystem::path folder_, chosen_folder_;  ///< shown, and of the file that was accepted last
   std::vector<FolderEntry> entries_;

@@ -42,7 +42,7 @@ void FileDialog::draw_header(PanelContext& context, const Columns& places) {
     }
   };
   ImGui::NewLine();
-  column("Name", "name", FolderOrder::name, context.metrics.px(46));
+  column("Name", "name", FolderOrder::name, context.metrics.px(34));
   if (places.size_at > 0) column("Size", "size", FolderOrder::size, places.size_at);
   if (places.date_at > 0) column("Modified", "modified", FolderOrder::modified, places.date_at);
 }

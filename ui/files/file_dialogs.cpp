@@ -76,6 +76,7 @@ void FileDialogs::remember(ExportMemory memory) {
 }
 
 void FileDialogs::forget_choices() {
+  dialog_ = {};
   export_options_ = {};
   cad_options_ = {};
   picture_settings_ = {};

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "ui/base/icons.hpp"
 #include "ui/editor/outlines.hpp"
 #include "ui/widgets/items.hpp"
 #include "ui/widgets/number_slider.hpp"
@@ -78,9 +79,16 @@ void GaussPanel::toolbar(PanelContext& context, GaussView& view, float width) {
   box(translatable("Triangles"), "gauss.triangles", translatable("Sites whose planes meet in a corner"),
       view.triangles);
   const char* close = translatable("Close");
+  const Metrics& m = context.metrics;
   const float size = ImGui::CalcTextSize(context.tr(close)).x + 2 * ImGui::GetStyle().FramePadding.x;
-  ImGui::SetCursorPosX(std::max(ImGui::GetCursorPosX(), width - size - context.metrics.px(8)));
-  if (text_button(context.marks, "gauss.close", context.tr(close))) context.run("outline.sphere");
+  const float left = ImGui::GetCursorPosX(), right = width - m.px(8);
+  // The word gives way to a cross where there is no room for it.
+  const bool word = left + size <= right;
+  constexpr float cross = 24;
+  ImGui::SetCursorPosX(std::max(left, right - (word ? size : m.px(cross))));
+  const bool pressed = word ? text_button(context.marks, "gauss.close", context.tr(close))
+                            : icon_button(context, icon::close, "gauss.close", close, false, cross);
+  if (pressed) context.run("outline.sphere");
 }
 
 void GaussPanel::step_bar(PanelContext& context, GaussView& view, float width) {
@@ -94,10 +102,13 @@ void GaussPanel::step_bar(PanelContext& context, GaussView& view, float width) {
   };
   arrow("gauss.back", ImGuiDir_Left, -1, translatable("One site less"));
   arrow("gauss.forward", ImGuiDir_Right, 1, translatable("Insert one more site"));
-  const std::string text = fill(context.tr("{0} of {1} sites"), {std::to_string(step), std::to_string(all)});
-  const float room = ImGui::CalcTextSize(text.c_str()).x + m.px(24);
-  track_slider(context.marks, "gauss.step", std::max(m.px(60), width - ImGui::GetCursorPosX() - room), all,
-               step);
+  std::string text = fill(context.tr("{0} of {1} sites"), {std::to_string(step), std::to_string(all)});
+  const auto track = [&] {
+    return width - ImGui::GetCursorPosX() - ImGui::CalcTextSize(text.c_str()).x - m.px(24);
+  };
+  const float least_track = m.px(40);
+  if (track() < least_track) text = std::to_string(step) + " / " + std::to_string(all);
+  track_slider(context.marks, "gauss.step", std::max(least_track, track()), all, step);
   if (ImGui::IsItemHovered() && !ImGui::IsItemActive())
     show_tip(context.tr("Inserts the sites one by one, each where most room is"));
   ImGui::SameLine();

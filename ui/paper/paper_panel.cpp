@@ -39,7 +39,7 @@ bool holds(const Corners& corners, const Vector2& p) {
 
 const Job* search_job(const Editor& editor) {
   const auto found =
-      std::ranges::find_if(editor.jobs, [](const auto& job) { return job->text == PaperState::search_text; });
+      std::ranges::find_if(editor.jobs, [](const auto& job) { return job->kind == Job::Kind::unfolding; });
   return found == editor.jobs.end() ? nullptr : found->get();
 }
 
@@ -62,6 +62,10 @@ void command_button(PanelContext& context, const char* id) {
   const Command& command = *context.commands.find(id);
   const bool blocked = command.why_not && command.why_not().has_value();
   ImGui::SameLine();
+  // The menu Paper has those for which a narrow view has no room.
+  const float width =
+      ImGui::CalcTextSize(context.tr(command.label).c_str()).x + 2 * ImGui::GetStyle().FramePadding.x;
+  if (ImGui::GetCursorPosX() + width > ImGui::GetWindowWidth()) return;
   {
     const Disabled disabled(blocked);
     if (text_button(context.marks, id, context.tr(command.label))) context.run(id);
@@ -80,6 +84,7 @@ void PaperPanel::draw(PanelContext& context, const PanelRect& rect) {
                   ImGuiWindowFlags_NoScrollbar))
     toolbar(context);
   ImGui::End();
+  end_stale_drag(context.editor.paper);
   const bool foldable = context.editor.paper.visible() != nullptr;
   const float foot = foldable ? bar : 0;
   const PanelRect middle{{rect.min.x, rect.min.y + bar}, {rect.max.x, rect.max.y - foot}};
@@ -94,7 +99,7 @@ void PaperPanel::draw(PanelContext& context, const PanelRect& rect) {
   if (!foldable) return;
   if (begin_panel("Folding", {{rect.min.x, rect.max.y - bar}, rect.max}, palette().panel, {m.px(8), m.px(6)},
                   ImGuiWindowFlags_NoScrollbar))
-    fold_bar(context, rect);
+    fold_bar(context);
   ImGui::End();
 }
 
@@ -113,6 +118,12 @@ void PaperPanel::toolbar(PanelContext& context) {
   if (!context.editor.paper.visible()) return;
   for (const char* id : {"paper.arrange", "paper.straighten", "paper.turn", "paper.export"})
     command_button(context, id);
+}
+
+void PaperPanel::end_stale_drag(PaperState& state) {
+  if (!drag_ || drag_->layout == state.layout) return;
+  drag_.reset();
+  state.dragged.reset();
 }
 
 void PaperPanel::empty_page(PanelContext& context, const PanelRect& rect) {
@@ -150,7 +161,7 @@ void PaperPanel::pages(PanelContext& context, const PanelRect& rect) {
   Editor& editor = context.editor;
   PaperState& state = editor.paper;
   table_.page = state.visible()->unfolding.settings.page;
-  if (std::exchange(state.wants_framing, false)) frame(*state.visible(), rect, context.metrics);
+  follow_room(state, rect, context.metrics);
   const bool hovered = pointer_area(context.marks, "paper.view", rect, all_buttons);
   const Vector2 pixel = mouse();
   const double reach = double(context.metrics.px(edge_reach));
@@ -165,6 +176,7 @@ void PaperPanel::pages(PanelContext& context, const PanelRect& rect) {
     if (ImGui::IsItemActive() && ImGui::IsMouseDragging(button, drag_pixels)) {
       const ImVec2 by = ImGui::GetIO().MouseDelta;
       table_.corner += Vector2(double(by.x), double(by.y));
+      framed_ = false;
     }
   if (hovered && ImGui::IsMouseClicked(ImGuiMouseButton_Left)) press(editor, context.metrics, pixel);
   if (drag_) drag(editor, context.metrics, pixel);
@@ -197,6 +209,22 @@ void PaperPanel::pages(PanelContext& context, const PanelRect& rect) {
   else if (hovered)
     hint_ = context.tr(hint_over(layout.unfolding, state.hovered));
   menu(context);
+}
+
+void PaperPanel::follow_room(PaperState& state, const PanelRect& rect, const Metrics& metrics) {
+  const auto middle = [](const PanelRect& place) {
+    return Vector2(double(place.min.x + place.max.x) / 2, double(place.min.y + place.max.y) / 2);
+  };
+  const bool moved = room_.width() != rect.width() || room_.height() != rect.height() ||
+                     room_.min.x != rect.min.x || room_.min.y != rect.min.y;
+  const bool asked = std::exchange(state.wants_framing, false);
+  if (!asked && !moved) return;
+  framed_ = framed_ || asked;
+  if (framed_)
+    frame(*state.visible(), rect, metrics);
+  else
+    table_.corner += middle(rect) - middle(room_);
+  room_ = rect;
 }
 
 PaperHover PaperPanel::under(const PaperLayout& layout, const Vector2& pixel, double reach) const {
@@ -243,6 +271,7 @@ void PaperPanel::zoom(const Vector2& pixel, float steps) {
   const double next = std::clamp(table_.zoom * std::pow(1.15, double(steps)), least_zoom, greatest_zoom);
   table_.corner = pixel + next / table_.zoom * (table_.corner - pixel);
   table_.zoom = next;
+  framed_ = false;
 }
 
 void PaperPanel::press(Editor& editor, const Metrics& metrics, const Vector2& pixel) {
@@ -251,6 +280,7 @@ void PaperPanel::press(Editor& editor, const Metrics& metrics, const Vector2& pi
   next.from = pixel;
   next.corner = table_.corner;
   next.under = state.hovered;
+  next.layout = state.layout;
   const auto grip = handle(state, metrics);
   const PaperLayout& layout = *state.layout;
   if (grip && (*grip - pixel).norm() <= double(metrics.px(handle_radius + 4))) {
@@ -275,6 +305,7 @@ void PaperPanel::drag(Editor& editor, const Metrics& metrics, const Vector2& pix
   if (!news) return;
   if (held.grip == Grip::paper) {
     table_.corner = held.corner + pixel - held.from;
+    framed_ = false;
     return;
   }
   const PaperLayout& layout = *state.layout;
@@ -364,19 +395,29 @@ void PaperPanel::say(PanelContext& context, const PaperLayout& layout, const Pan
   }
 }
 
-void PaperPanel::fold_bar(PanelContext& context, const PanelRect& rect) {
+void PaperPanel::fold_bar(PanelContext& context) {
   PaperState& state = context.editor.paper;
   const Metrics& m = context.metrics;
-  aligned_text(context.tr("Flat"));
+  const ImGuiStyle& style = ImGui::GetStyle();
+  constexpr const char *flat = translatable("Flat"), *solid = translatable("Solid"),
+                       *shown = translatable("paper in the view");
+  const auto width_of = [&](const char* words) { return ImGui::CalcTextSize(context.tr(words)).x; };
+  const float words = style.ItemInnerSpacing.x + width_of(shown);
+  float track = ImGui::GetContentRegionAvail().x - width_of(flat) - width_of(solid) -
+                ImGui::GetFrameHeight() - 3 * style.ItemSpacing.x;
+  // The words of the box, which has a tip, give way where there is no room for them.
+  const bool named = track - words >= m.px(80);
+  if (named) track -= words;
+  aligned_text(context.tr(flat));
   ImGui::SameLine();
-  track_slider(context.marks, "paper.fold", std::max(m.px(80), rect.width() - m.px(300)), 1.0F, state.folded);
+  track_slider(context.marks, "paper.fold", std::max(m.px(40), track), 1.0F, state.folded);
   if (ImGui::IsItemActive()) state.in_space = true;
   if (ImGui::IsItemHovered())
     show_tip(context.tr("Folds the pages up to the solid, in the view of the model"));
   ImGui::SameLine();
-  plain_text(context.tr("Solid"));
+  plain_text(context.tr(solid));
   ImGui::SameLine();
-  option_check(context, "paper.in_space", "paper in the view",
+  option_check(context, "paper.in_space", named ? shown : "",
                "The view of the model shows the paper instead of the objects", state.in_space);
 }
 

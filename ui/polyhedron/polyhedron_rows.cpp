@@ -99,8 +99,13 @@ namespace {
 bool row_of_polyhedron(const Editor& editor) {
   return editor.active_object()->polyhedron() != nullptr;
 }
+bool row_of_modes(const Editor& editor) {
+  return std::ranges::any_of(chosen_objects(editor),
+                             [](const auto& object) { return object->polyhedron() != nullptr; });
+}
 bool row_of_frames(const Editor& editor) {
-  return surface_frames(editor.active_object()->source).has_value();
+  return std::ranges::any_of(chosen_objects(editor),
+                             [](const auto& object) { return surface_frames(object->source).has_value(); });
 }
 bool row_of_vertices(const Editor& editor) {
   return row_of_polyhedron(editor) && !editor.selection.of_active().vertices.empty();
@@ -141,7 +146,7 @@ constexpr const char* no_joined_edges =
 constexpr const char* no_positions = translatable("No points are selected. Press 1 and click one.");
 
 constexpr std::array polyhedron_rows{
-    PanelRow{"mode", "Surface", "How the surface spans the curves", "Polyhedron", row_of_polyhedron},
+    PanelRow{"mode", "Surface", "How the surface spans the curves", "Polyhedron", row_of_modes},
     PanelRow{"frames", "By measure",
              "Angles and lengths of the polyhedron count: uneven cages give even surfaces", "Polyhedron",
              row_of_frames},

@@ -1,7 +1,9 @@
-// Commands that bring a polyhedron to reference facets, as a scan is: its vertices, or its surface.
+// Commands of reference facets, as a scan is: those that bring the vertices of a polyhedron, or its surface,
+// to them, and the one that makes fewer of them.
 
 #include <algorithm>
 #include <functional>
+#include <limits>
 #include <map>
 #include <memory>
 #include <optional>
@@ -9,7 +11,10 @@
 #include <utility>
 #include <vector>
 
+#include "core/approximation/decimation/decimate.hpp"
 #include "core/base/assert.hpp"
+#include "core/document/edits/edit_objects.hpp"
+#include "core/document/object_box.hpp"
 #include "core/exchange/repair/triangulate.hpp"
 #include "core/modeling/surfacing/fit_to_reference.hpp"
 #include "core/modeling/surfacing/project_to_reference.hpp"
@@ -17,6 +22,7 @@
 #include "ui/editor/command_host.hpp"
 #include "ui/editor/last_operation.hpp"
 #include "ui/editor/operations.hpp"
+#include "ui/widgets/option_fields.hpp"
 
 namespace hariko {
 
@@ -265,6 +271,112 @@ void run_fit(Editor& editor, std::vector<OperationNumber> numbers) {
   run_bringing(editor, translatable("Fit to the reference"), std::move(numbers), begin_fit);
 }
 
+// Reduction.
+
+/// Fewer facets in the place of others, and how far they are off, in the object's space.
+struct Reduction {
+  MeshSource source;
+  double distance = 0;
+};
+
+/// Results for one object by their distances, so that each is made once while the number is adjusted. For the
+/// main thread.
+struct ReductionResults {
+  std::shared_ptr<const Object> object;
+  std::map<double, Result<Reduction>> by_distance = {};
+};
+
+Result<Reduction> reduced_facets(const Object& object, double distance, const CancelToken& cancel,
+                                 const Progress& progress) {
+  const MeshSource& source = *object.mesh();
+  const TriangleMesh dense{
+      source.origin, source.mesh->positions, triangulate(*source.mesh).triangles, {}, {}};
+  MeshOptions options;
+  options.criteria.distance = distance / object.transform.scale;
+  auto made = decimate(dense, options, cancel, progress);
+  if (!made) return made.error();
+  const CriterionErrors& off = made->distance;
+  Reduction out{source, off.certified ? std::max(off.bound, off.largest) : off.largest};
+  PolygonMesh fewer;
+  for (const auto& triangle : made->mesh.triangles) fewer.add_face({triangle[0], triangle[1], triangle[2]});
+  fewer.positions = std::move(made.value().mesh.positions);
+  out.source.origin = made->mesh.origin;
+  out.source.mesh = Shared<PolygonMesh>(std::move(fewer));
+  return out;
+}
+
+PrepareOperation preparing_reduction(const std::shared_ptr<ReductionResults>& results) {
+  return [results](const Document& document,
+                   std::span<const OperationNumber> numbers) -> std::optional<LongEdit> {
+    const double distance = numbers[0].value;
+    const std::shared_ptr<const Object> object = results->object;
+    const auto now = document.find_shared(object->id);
+    const bool same = now && now->source == object->source && now->transform == object->transform;
+    if (same && results->by_distance.contains(distance)) return std::nullopt;
+    const auto work = [results, object, distance](const CancelToken& cancel,
+                                                  const Progress& progress) -> LongEdit::Then {
+      const auto made =
+          std::make_shared<const Result<Reduction>>(reduced_facets(*object, distance, cancel, progress));
+      return [results, distance, made] { results->by_distance.insert_or_assign(distance, *made); };
+    };
+    return LongEdit{Phrase(translatable("Reducing {0}"), {object->name}), object->id, work};
+  };
+}
+
+/// Notice with the numbers of facets, and with the distance in the document.
+void say_reduction(Editor& editor, std::size_t before, std::size_t after, double distance) {
+  editor.inform({"{0} facets became {1}, which are off by {2} at the most.",
+                 {std::to_string(before), std::to_string(after),
+                  format_quantity(measured_length(editor.document().unit, distance), distance)}});
+}
+
+MakeOperation taking_reduction(const std::shared_ptr<ReductionResults>& results) {
+  return [results](const Document& document,
+                   std::span<const OperationNumber> numbers) -> Result<OperationResult> {
+    const auto known = results->by_distance.find(numbers[0].value);
+    HARIKO_ASSERT(known != results->by_distance.end(), "the result is prepared before the step is made");
+    const Result<Reduction>& reduction = known->second;
+    if (!reduction) return reduction.error();
+    const Object& object = *results->object;
+    auto done = set_source(document, object.id, reduction->source);
+    if (!done) return done.error();
+    OperationResult out{std::move(done).value(), object.id};
+    out.keeps_selection = true;
+    out.say = [before = object.mesh()->mesh->face_count(), after = reduction->source.mesh->face_count(),
+               distance = object.transform.scale * reduction->distance](Editor& now) {
+      say_reduction(now, before, after, distance);
+    };
+    return out;
+  };
+}
+
+WhyNot needs_facets(const Editor& editor) {
+  return only_if(
+      needs_object(editor), [&editor] { return editor.active_object()->mesh() != nullptr; },
+      translatable("The chosen object has no reference facets. Choose a scan in the list of objects."));
+}
+
+std::vector<WrittenCommand> written_reduction(std::span<const OperationNumber> numbers) {
+  return {WrittenCommand{"mesh.reduce_reference", written_numbers(numbers)}};
+}
+
+Result<BegunOperation> begin_reduction(const Editor& editor) {
+  if (const Reason reason = needs_facets(editor)()) return make_error(e_wrong_selection, *reason);
+  const Document& document = editor.history.current();
+  const auto results = std::make_shared<ReductionResults>();
+  results->object = document.find_shared(editor.selection.active);
+  if (const auto allowed = set_source(document, results->object->id, results->object->source); !allowed)
+    return allowed.error();
+  return BegunOperation{taking_reduction(results), {}, written_reduction, preparing_reduction(results)};
+}
+
+/// A distance that an eye hardly notices where the whole object is in sight.
+std::vector<OperationNumber> reduction_numbers(const Editor& editor) {
+  constexpr double usual = 5e-4, finest = 1e-7;
+  const double size = world_box(*editor.active_object()).diagonal().norm();
+  return {{"distance", translatable("Distance"), one_digit(usual * size), finest * size, size}};
+}
+
 }  // namespace
 
 void add_reference_commands(CommandHost& host) {
@@ -284,6 +396,20 @@ void add_reference_commands(CommandHost& host) {
       {.contexts = any_element,
        .script = {.arguments = arguments_of(fit_numbers()), .run = [&editor](const Arguments& given) {
                     run_fit(editor, with_values(fit_numbers(), given));
+                  }}});
+  const auto reduce = [&editor](std::vector<OperationNumber> numbers) {
+    run_bringing(editor, translatable("Reduce the reference"), std::move(numbers), begin_reduction);
+  };
+  rows.add_edit(
+      "mesh.reduce_reference", "Reduce the reference",
+      "Make fewer facets of the chosen scan, which are certainly no farther from it than a distance.",
+      [&editor, reduce] { reduce(reduction_numbers(editor)); }, needs_facets(editor),
+      {.script = {.arguments = {length_argument("distance", translatable("Distance"), {},
+                                                std::numeric_limits<double>::min())},
+                  .run = [&editor, reduce](const Arguments& given) {
+                    std::vector<OperationNumber> numbers = reduction_numbers(editor);
+                    numbers[0].value = given.number("distance");
+                    reduce(std::move(numbers));
                   }}});
 }
 

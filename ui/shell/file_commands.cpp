@@ -24,15 +24,16 @@ namespace hariko {
 namespace {
 
 void open_box(Editor& editor) {
-  const Unit unit = editor.settings.unit;
-  const double size = 2 * first_object_radius(unit);
+  Document empty;
+  empty.unit = editor.settings.unit;
+  const double size = 2 * first_object_radius(empty.unit);
   const auto mesh = make_primitive(BoxShape{{size, size, size}, {1, 1, 1}, {}});
   if (!mesh.ok()) return editor.notify(mesh.error());
-  auto made = document_from_mesh(*mesh, editor.language("Box"));
+  auto source = PolyhedronSource::from_mesh(*mesh);
+  if (!source.ok()) return editor.notify(source.error());
+  auto made = add_object(std::move(empty), editor.language("Box"), as_new(std::move(source).value()));
   if (!made.ok()) return editor.notify(made.error());
-  Document document = std::move(made).value();
-  document.unit = unit;
-  editor.open(std::move(document), {});
+  editor.open(std::move(made).value().document, {});
 }
 
 bool any_visible(const Editor& editor) {

@@ -39,7 +39,16 @@ std::vector<ArgumentSpec> arguments_to_export(std::vector<ArgumentSpec> own) {
   own.push_back(optional(word_argument("unit", "of the numbers in the file", units(), {})));
   own.push_back(number_argument("scale", "multiplies all lengths", 1, least_factor, most_factor));
   own.push_back(on_off_argument("selected", "the chosen objects only", false));
+  own.push_back(length_argument("thickness", "of walls, which make closed bodies", 0, 0));
+  own.push_back(
+      word_argument("side", "of the surface on which walls are", enum_word_list<WallSide>(), "inside"));
+  own.push_back(length_argument("offset", "moves the surface first, outwards", 0));
   return own;
+}
+
+Wall wall_of(const Arguments& given) {
+  return {given.number("offset"), given.number("thickness"),
+          enum_value<WallSide>(given.text("side")).value_or(WallSide::inside)};
 }
 
 /// Message about choices that the format of the file does not leave open; nothing where it does.
@@ -74,6 +83,7 @@ void export_triangles(CommandHost& host, const Arguments& given) {
   choices.to_zero = given.text("origin") == "zero";
   choices.ascii = given.on("ascii");
   settings.only_selected = given.on("selected");
+  settings.wall = wall_of(given);
   if (const auto why = unfit(given.text("path"), choices)) return host.editor.notify(*why);
   host.application.export_file(given.text("path"), settings);
 }
@@ -92,6 +102,7 @@ void export_for_cad(CommandHost& host, const Arguments& given) {
   choices.whole_faces = given.on("whole_faces");
   choices.ap242 = given.on("ap242");
   settings.only_selected = given.on("selected");
+  settings.wall = wall_of(given);
   host.application.export_cad(path, settings);
 }
 

@@ -17,15 +17,6 @@ Phrase counted_step(const char* one, const char* many, std::size_t count) {
   return Phrase::counted(count, one, many);
 }
 
-/// One edit after the other, as one step; nothing happens when one is refused.
-template <class Ids, class Edit>
-void edit_each(Editor& editor, const Ids& ids, const Phrase& step, const Edit& edit) {
-  Result<Document> result = editor.history.current();
-  for (const ObjectId id : ids)
-    if (result.ok()) result = edit(*result, id);
-  editor.commit(result, step);
-}
-
 void duplicate(Editor& editor) {
   const auto ids = chosen_ids(editor);
   const auto added = duplicate_objects(editor.history.current(), ids);
@@ -42,8 +33,8 @@ void isolate(Editor& editor) {
 
 void hide_chosen(Editor& editor) {
   const auto ids = chosen_ids(editor);
-  edit_each(editor, ids, counted_step("Hide object", "Hide {0} objects", ids.size()),
-            [](const Document& document, ObjectId id) { return set_visible(document, id, false); });
+  editor.commit(hide_objects(editor.history.current(), ids),
+                counted_step("Hide object", "Hide {0} objects", ids.size()));
 }
 
 bool any_hidden(const Editor& editor) {
@@ -66,10 +57,9 @@ void show_named(Editor& editor, const std::vector<std::string>& names) {
 
 void lock_chosen(Editor& editor, bool lock) {
   const auto ids = chosen_ids(editor);
-  edit_each(editor, ids,
-            lock ? counted_step("Lock object", "Lock {0} objects", ids.size())
-                 : counted_step("Unlock object", "Unlock {0} objects", ids.size()),
-            [lock](const Document& document, ObjectId id) { return set_locked(document, id, lock); });
+  editor.commit(lock_objects(editor.history.current(), ids, lock),
+                lock ? counted_step("Lock object", "Lock {0} objects", ids.size())
+                     : counted_step("Unlock object", "Unlock {0} objects", ids.size()));
 }
 
 void delete_chosen(Editor& editor) {

@@ -5,6 +5,7 @@
 
 #include "ui/base/icons.hpp"
 #include "ui/base/text_lines.hpp"
+#include "ui/base/texture.hpp"
 #include "ui/widgets/application_services.hpp"
 #include "ui/widgets/card_focus.hpp"
 #include "ui/widgets/command_services.hpp"
@@ -31,10 +32,10 @@ void fitted_text(ImVec2 at, float width, ImU32 colour, const std::string& text) 
   ImGui::GetWindowDrawList()->AddText(at, colour, shown.c_str());
 }
 
-void picture(ImTextureID texture, ImVec2 low, ImVec2 high, float radius, ImDrawFlags corners) {
+void picture(unsigned texture, ImVec2 low, ImVec2 high, float radius, ImDrawFlags corners) {
   ImDrawList& draw = *ImGui::GetWindowDrawList();
-  if (texture)
-    draw.AddImageRounded(texture, low, high, {0, 0}, {1, 1}, IM_COL32_WHITE, radius, corners);
+  if (texture != 0)
+    draw.AddImageRounded(imgui_texture(texture), low, high, {0, 0}, {1, 1}, IM_COL32_WHITE, radius, corners);
   else
     draw.AddRectFilled(low, high, palette().field, radius, corners);
 }

@@ -15,8 +15,8 @@ struct OtherNames {
 
 constexpr std::array other_names_of_commands{
     OtherNames{"file.import", "insert, merge file"},
-    OtherNames{"file.export", "3D print, STL, OBJ"},
-    OtherNames{"file.export_cad", "NURBS, B-rep"},
+    OtherNames{"file.export", "3D print, STL, OBJ, shell, thicken"},
+    OtherNames{"file.export_cad", "NURBS, B-rep, shell, thicken"},
     OtherNames{"file.export_picture", "screenshot, render, image"},
     OtherNames{"file.revert", "reload, discard changes"},
     OtherNames{"file.quit", "exit, leave"},
@@ -72,6 +72,7 @@ constexpr std::array other_names_of_commands{
     OtherNames{"mesh.join", "combine, merge objects"},
     OtherNames{"mesh.project_reference", "shrinkwrap, conform"},
     OtherNames{"mesh.fit_reference", "wrap, reverse engineering"},
+    OtherNames{"mesh.reduce_reference", "decimate, simplify"},
     OtherNames{"mirror.live_x", "symmetry, mirror modifier"},
     OtherNames{"mirror.live_y", "symmetry, mirror modifier"},
     OtherNames{"mirror.live_z", "symmetry, mirror modifier"},

@@ -221,6 +221,7 @@ void draw_properties(PanelContext& context, const PanelRect& rect) {
     dimension_section(context);
     document_section(context);
     give_up_wanted_row(context);
+    state.left = {};  // its field is gone
     state.steady.end(context.marks, state.typing_row);
   }
   ImGui::End();

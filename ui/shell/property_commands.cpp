@@ -1,10 +1,12 @@
 // Commands for what stands in the properties: the palette finds them by name. A number is asked for, a list
 // or a check box brought into sight, and a choice of a list made at once.
 
+#include <algorithm>
 #include <functional>
 #include <utility>
 
 #include "core/document/edits/edit_skin.hpp"
+#include "ui/editor/selected_items.hpp"
 #include "ui/editor/skin_view.hpp"
 #include "ui/shell/preference_rows.hpp"
 #include "ui/shell/property_tables.hpp"
@@ -25,10 +27,12 @@ Reason no_free_object(const Editor& editor) {
   return {};
 }
 
+/// One of the chosen objects is enough: rows and scripts are about those that have the property.
 WhyNot needs(const Editor& editor, Has has) {
   return [&editor, has = std::move(has)]() -> Reason {
     if (Reason reason = no_free_object(editor)) return reason;
-    if (has(*editor.active_object())) return {};
+    if (std::ranges::any_of(chosen_objects(editor), [&](const auto& object) { return has(*object); }))
+      return {};
     return translatable("The active object does not have this property.");
   };
 }

@@ -72,7 +72,8 @@ bool draw_work(PanelContext& context, const WorkRow& row, float& right) {
 }
 
 bool placing_columns(const Editor& editor) {
-  return std::ranges::any_of(editor.jobs, [](const auto& job) { return job->text == placing_columns_job; });
+  return std::ranges::any_of(editor.jobs,
+                             [](const auto& job) { return job->kind == Job::Kind::placing_columns; });
 }
 
 /// Computing that takes long enough to notice, with a button that stops it, or surfaces that are not up to
@@ -179,12 +180,13 @@ void draw_status_line(PanelContext& context, const PanelRect& rect) {
     draw_script_recording(context, edge);
     draw_job(context, edge);
     draw_recompute(context, edge);
-    // The hint gives way to the state.
+    // Each text has half of the line, and what the other does not need.
     constexpr float least_hint = 120;  // points
-    const float start = m.px(12), gap = m.px(16);
-    const std::string state = elided(right, edge - start - gap - m.px(least_hint));
-    const float left = edge - ImGui::CalcTextSize(state.c_str()).x;
+    const float start = m.px(12), gap = m.px(16), room = edge - start - gap;
     const std::string hint = context.tr.phrase(context.tool_hint);
+    const float wanted = std::min(ImGui::CalcTextSize(hint.c_str()).x, room / 2);
+    const std::string state = elided(right, room - std::max(wanted, m.px(least_hint)));
+    const float left = edge - ImGui::CalcTextSize(state.c_str()).x;
     const std::string shown = elided(hint, std::max(left - gap - start, m.px(least_hint)));
     continue_line(start);
     plain_text(shown);

@@ -394,10 +394,11 @@ void Workbench::open_guarded(const std::filesystem::path& path) {
 
 void Workbench::take_files(const std::vector<std::filesystem::path>& files) {
   std::vector<std::filesystem::path> pictures;
+  bool opens = !editor_.has_document;
   for (const std::filesystem::path& file : files) {
     if (is_reference_file(file))
       pictures.push_back(file);
-    else if (file.extension() == ".hariko" || !editor_.has_document)
+    else if (std::exchange(opens, false) || file.extension() == ".hariko")
       open_guarded(file);
     else
       application_.import_file(file);
@@ -445,12 +446,10 @@ void Workbench::forget_interface() {
   preferences_ = {};
   paper_panel_ = {};
   gauss_panel_ = {};
-  editor_.gauss = {};
   palette_ = {};
   cheat_sheet_ = {};
   start_page_ = {};
   files_.forget_choices();
-  editor_.meshing = {};
   ImGui::ClearActiveID();
   for (ImGuiWindow* window : GImGui->Windows) {
     window->StateStorage.Clear();

@@ -78,8 +78,8 @@ class Workbench final : public CommandServices {
   /// Does something that replaces the document or ends the program, after asking about unsaved work.
   void guarded(std::function<void()> action);
   void open_guarded(const std::filesystem::path& path) override;
-  /// Files that were dropped on the window: pictures are added, documents opened, and so is any other file on
-  /// the start page; into an open document it is imported.
+  /// Files that were dropped on the window: pictures are added, documents opened, and so is the first file on
+  /// the start page; any other is imported.
   void take_files(const std::vector<std::filesystem::path>& files);
   void save(std::function<void()> then);
   void new_document();

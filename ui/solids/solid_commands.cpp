@@ -210,19 +210,34 @@ WhyNot needs_ball(const Editor& editor) {
       translatable("The surface is a network of curves."));
 }
 
+/// The selected solids, or all where none is selected.
+std::vector<std::uint32_t> selected_or_all_solids(const Editor& editor) {
+  std::vector<std::uint32_t> ids;
+  if (editor.mode != ElementMode::object) ids = selected_solids(editor);
+  if (ids.empty())
+    for (const Solid& solid : editor.active_object()->solids()->input->solids) ids.push_back(solid.id);
+  return ids;
+}
+
 WhyNot needs_pulls(const Editor& editor) {
-  const auto pulled = [&editor] {
+  const auto any_pulled = [&editor] {
     return std::ranges::any_of(editor.active_object()->solids()->input->solids,
                                [](const Solid& solid) { return !solid.pulls.empty(); });
   };
-  return only_if(needs_ball(editor), pulled, translatable("The surface is not pulled anywhere."));
+  const auto pulled = [&editor] {
+    return std::ranges::any_of(selected_or_all_solids(editor), [&](std::uint32_t id) {
+      const Solid* solid = find_solid(*editor.active_object(), id);
+      return solid && !solid->pulls.empty();
+    });
+  };
+  return only_if(
+      only_if(needs_ball(editor), any_pulled, translatable("The surface is not pulled anywhere.")), pulled,
+      translatable(
+          "The surface of the selected solids is not pulled. Pull it first: Solids > Pull surface."));
 }
 
-/// Removes the pulls of the selected solids, or of all where none is selected.
 void remove_pulls(Editor& editor) {
-  std::vector<std::uint32_t> ids = selected_solids(editor);
-  if (ids.empty())
-    for (const Solid& solid : editor.active_object()->solids()->input->solids) ids.push_back(solid.id);
+  const std::vector<std::uint32_t> ids = selected_or_all_solids(editor);
   editor.commit(change_solids(editor.history.current(), editor.selection.active, ids,
                               [](Solid& solid) { solid.pulls.clear(); }),
                 translatable("Remove pulls"));

@@ -321,11 +321,28 @@ void selected_rows(PanelContext& context, const Object& object, const Ids& ids) 
   outside_row(context, object, ids);
 }
 
+/// Scrolls to the row that was drawn last, unless it was the last one to be scrolled to.
+void bring_solid_into_sight(std::uint32_t id) {
+  ImGuiStorage& storage = *ImGui::GetStateStorage();
+  const ImGuiID key = ImGui::GetID("in_sight");
+  const int number = static_cast<int>(id) + 1;
+  if (storage.GetInt(key) == number) return;
+  storage.SetInt(key, number);
+  if (!ImGui::IsItemVisible()) ImGui::SetScrollHereY();
+}
+
 void list_rows(PanelContext& context, const Object& object, const Ids& ids) {
   heading(context, "Solids");
   Editor& editor = context.editor;
+  const std::vector<Solid>& solids = object.solids()->input->solids;
+  // A long list scrolls, so that the numbers below it are in sight.
+  constexpr std::size_t most_rows = 8;
+  const bool many = solids.size() > most_rows;
+  if (many)
+    ImGui::BeginChild("solids", {0, (float(most_rows) + 0.5F) * ImGui::GetTextLineHeightWithSpacing()}, false,
+                      ImGuiWindowFlags_NavFlattened);
   std::array<int, kind_names.size()> count{};
-  for (const Solid& solid : object.solids()->input->solids) {
+  for (const Solid& solid : solids) {
     const int number = ++count[static_cast<std::size_t>(solid.kind)];
     const bool chosen = std::find(ids.begin(), ids.end(), solid.id) != ids.end();
     const std::string name = std::string(context.tr(kind_name(solid.kind))) + " " + std::to_string(number);
@@ -336,7 +353,9 @@ void list_rows(PanelContext& context, const Object& object, const Ids& ids) {
                                                                            : chosen ? Selection::How::remove
                                                                                     : Selection::How::add);
     }
+    if (many && !ids.empty() && solid.id == ids.front()) bring_solid_into_sight(solid.id);
   }
+  if (many) ImGui::EndChild();
 }
 
 }  // namespace
@@ -350,9 +369,12 @@ ObjectProperties<EnvelopeInput> envelope_properties() {
 void draw_solids(PanelContext& context, const Object& object) {
   if (!object.solids()) return;
   const Ids ids = selected_ids(context.editor, object);
-  if (!ids.empty()) selected_rows(context, object, ids);
+  // The rows of a solid that is chosen in the list come below it: the list stays under the pointer.
   list_rows(context, object, ids);
-  if (ids.empty()) hint_text(context, "Click a solid to change it, drag it to move it.");
+  if (ids.empty())
+    hint_text(context, "Click a solid to change it, drag it to move it.");
+  else
+    selected_rows(context, object, ids);
   surface_rows(context, object);
 }
 

@@ -286,8 +286,12 @@ void marker(const PanelContext& context, const Projector& projector, const Panel
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.AddCircle(at, m.px(9), IM_COL32(0, 0, 0, 200), 0, m.px(4));
   list.AddCircle(at, m.px(9), palette().hot, 0, m.px(2));
-  plate(list, m, {at.x + m.px(15), at.y - ImGui::GetTextLineHeight() / 2},
-        short_text(shown, errors.largest, context.editor.document().unit));
+  // The value stands at the left where the view ends before it.
+  const std::string value = short_text(shown, errors.largest, context.editor.document().unit);
+  const float width = ImGui::CalcTextSize(value.c_str()).x, beside = m.px(15);
+  const bool right = at.x + beside + width + m.px(5) <= pane.max.x;
+  plate(list, m, {right ? at.x + beside : at.x - beside - width, at.y - ImGui::GetTextLineHeight() / 2},
+        value);
   context.marks.rect("meshing.largest", {at.x - 2, at.y - 2}, {at.x + 2, at.y + 2});
 }
 

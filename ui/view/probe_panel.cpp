@@ -27,10 +27,14 @@ std::vector<Row> rows_of(const PanelContext& context, const SurfacePoint& point,
   std::vector<Row> rows;
   const Object* object = context.editor.document().find(point.object);
   const SurfaceMap map = object ? shown_map(context.editor.view.map, *object) : SurfaceMap::shaded;
-  if (has_values(map))
+  // Curvature is told as the surface has it: the values of its maps lie between those at corners of
+  // triangles.
+  if (has_values(map) && !(reading.curvature && scale_power(map) > 0))
     rows.push_back({tr(std::string(title_of(map))), map_value_text(context.editor, tr, point)});
   if (reading.curvature) {
     const Curvature& c = *reading.curvature;
+    if (map == SurfaceMap::mean)
+      rows.push_back({tr(std::string(title_of(map))), format_number(c.mean, 4) + " 1/" + unit});
     rows.push_back({"k1  k2", format_number(c.k1, 4) + "  " + format_number(c.k2, 4) + " 1/" + unit});
     rows.push_back({tr("Gaussian"), format_number(c.gauss, 4) + " 1/" + unit + "\u00b2"});
   } else {

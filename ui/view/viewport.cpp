@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "ui/base/texture.hpp"
 #include "ui/editor/selected_items.hpp"
 #include "ui/view/axis_gizmo.hpp"
 #include "ui/view/legend.hpp"
@@ -118,10 +119,8 @@ void Viewport::show(PanelContext& context, const Place& place) {
   context.marks.rect("view." + std::to_string(place.view), place.rect.min, place.rect.max);
   list.PushClipRect(place.rect.min, place.rect.max, true);
   const auto picture = [&](unsigned texture, float opacity) {
-    list.AddImage(
-        // NOLINTNEXTLINE(performance-no-int-to-ptr): ImGui passes names of textures as pointers
-        reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(texture)), place.rect.min, place.rect.max,
-        {0, 1}, {1, 0}, with_alpha(IM_COL32_WHITE, opacity));
+    list.AddImage(imgui_texture(texture), place.rect.min, place.rect.max, {0, 1}, {1, 0},
+                  with_alpha(IM_COL32_WHITE, opacity));
   };
   const double share = pictures_.shown_share(place.view, editor_.now);
   if (share < 1) picture(pictures_.faded_texture(place.view), 1);

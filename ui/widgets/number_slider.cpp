@@ -59,7 +59,7 @@ bool number_slider(Marks& marks, const std::string& mark, const SliderRange& ran
   const ImGuiStyle& style = ImGui::GetStyle();
   const std::string label = "##" + mark;
   const float room = width > 0 ? width : ImGui::GetContentRegionAvail().x;
-  const float number = std::min(number_room(range, value), most_for_number * room);
+  const float number = std::min(std::max(number_room(range, value), range.room), most_for_number * room);
   const ImVec2 at = ImGui::GetCursorScreenPos();
   ImGui::SetNextItemWidth(room - number - style.ItemInnerSpacing.x);
   const auto low = static_cast<Number>(range.low), high = static_cast<Number>(range.high);
@@ -86,7 +86,11 @@ void slider_row(PanelContext& context, const std::string& id, const char* label,
                 const SliderRange& range, Number& value) {
   row_label(context, label, help);
   Number wanted = value;
-  number_slider(context.marks, "slider." + id, range, wanted);
+  // As long as the tracks of rows with a field beside them.
+  const ImGuiStyle& style = ImGui::GetStyle();
+  SliderRange own = range;
+  own.room = context.metrics.px(number_field_width) + style.ItemSpacing.x - style.ItemInnerSpacing.x;
+  number_slider(context.marks, "slider." + id, own, wanted);
   if (std::isfinite(static_cast<double>(wanted))) value = wanted;
   point_out(context, id.c_str());
 }

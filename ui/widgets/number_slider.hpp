@@ -12,11 +12,14 @@ namespace hariko {
 class Marks;
 struct PanelContext;
 
+constexpr float number_field_width = 78;  ///< width of a field beside a slider, design pixels
+
 /// Values of a slider, and how its number is written, as printf does ("%.2f mm").
 struct SliderRange {
   double low, high;
   const char* format;
   ImGuiSliderFlags flags = ImGuiSliderFlags_AlwaysClamp;
+  float room = 0;  ///< least room for the number, pixels: tracks below each other are then equally long
 };
 
 /// A slider over `width` pixels, or over the rest of the row, with its number at the right end. Ctrl and a

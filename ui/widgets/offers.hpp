@@ -3,8 +3,6 @@
 // Offers: what the start page proposes from earlier sessions: work to recover, and files to open again.
 // Values that the application fills.
 
-#include <imgui.h>
-
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -19,10 +17,10 @@ struct RecoveryOffer {
   std::filesystem::path path;   ///< the file it was opened from; empty when it was never saved
   std::int64_t written_at = 0;  ///< seconds since 1970, UTC
   std::size_t objects = 0;
-  bool file_changed = false;      ///< the file was saved or changed after the copy was made
-  bool damaged = false;           ///< nothing of it can be read: it can only be discarded
-  ImTextureID picture = nullptr;  ///< null when there is none (yet)
-  float aspect = 4.0F / 3;        ///< width by height of the picture
+  bool file_changed = false;  ///< the file was saved or changed after the copy was made
+  bool damaged = false;       ///< nothing of it can be read: it can only be discarded
+  unsigned picture = 0;       ///< name of a texture; 0 when there is none (yet)
+  float aspect = 4.0F / 3;    ///< width by height of the picture
 };
 
 /// A session that ended by a mistake of the program.
@@ -33,8 +31,8 @@ struct CrashOffer {
 
 struct RecentFile {
   std::filesystem::path path;
-  std::int64_t used_at = 0;       ///< seconds since 1970, UTC; opened or saved
-  ImTextureID picture = nullptr;  ///< null when there is none (yet)
+  std::int64_t used_at = 0;  ///< seconds since 1970, UTC; opened or saved
+  unsigned picture = 0;      ///< name of a texture; 0 when there is none (yet)
   float aspect = 4.0F / 3;
 };
 

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "ui/base/text_lines.hpp"
+#include "ui/base/texture.hpp"
 #include "ui/widgets/application_services.hpp"
 #include "ui/widgets/card_focus.hpp"
 #include "ui/widgets/command_services.hpp"
@@ -25,8 +26,9 @@ void fill_with(const Picture& picture, ImVec2 low, ImVec2 high, float radius) {
   else
     first.x = (1 - place / picture.aspect) / 2, last.x = 1 - first.x;
   const auto used = [&](ImVec2 at) { return ImVec2(at.x * picture.used.x, at.y * picture.used.y); };
-  ImGui::GetWindowDrawList()->AddImageRounded(picture.texture, low, high, used(first), used(last),
-                                              IM_COL32_WHITE, radius, ImDrawFlags_RoundCornersTop);
+  ImGui::GetWindowDrawList()->AddImageRounded(imgui_texture(picture.texture), low, high, used(first),
+                                              used(last), IM_COL32_WHITE, radius,
+                                              ImDrawFlags_RoundCornersTop);
 }
 
 /// True when it was chosen.
@@ -43,7 +45,7 @@ bool draw_card(PanelContext& context, const Card& card, ImVec2 size, std::size_t
   draw.AddRectFilled(low, high, hovered ? palette().field_hover : palette().panel, radius);
   const ImVec2 picture_high(high.x, low.y + size.x / picture_aspect);
   if (card.pictured && !card.pictured->wanted) context.application.give_picture(*card.pictured);
-  if (card.pictured && card.pictured->picture.texture)
+  if (card.pictured && card.pictured->picture.texture != 0)
     fill_with(card.pictured->picture, low, picture_high, radius);
   else
     draw.AddRectFilled(low, picture_high, palette().field, radius, ImDrawFlags_RoundCornersTop);

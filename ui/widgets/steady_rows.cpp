@@ -28,6 +28,12 @@ std::string nearest_row(const Marks& marks, const ImRect& panel, float y) {
   return nearest;
 }
 
+/// Whether the pointer is in a list of the panel that scrolls by itself.
+bool in_scrolling_list(const ImGuiWindow& panel) {
+  const ImGuiWindow* hovered = GImGui->HoveredWindow;
+  return hovered && hovered != &panel && hovered->RootWindow == &panel;
+}
+
 /// Whether an item of the panel, or of a list that is open over it, is held or typed into.
 bool holds_item(const ImGuiWindow& panel) {
   const ImGuiWindow* window = GImGui->ActiveId != 0 ? GImGui->ActiveIdWindow : nullptr;
@@ -59,7 +65,8 @@ void SteadyRows::end(const Marks& marks, const std::string& typed) {
   if (row_.empty() || !marks.all().contains(row_)) {
     above_ = below_ = 0;
     row_.clear();
-  } else if (const float moved = place_of(row_) - place_; std::abs(moved) >= 1) {
+  } else if (const float moved = in_scrolling_list(window) ? 0 : place_of(row_) - place_;
+             std::abs(moved) >= 1) {
     // Offset of the contents from the panel: below its edge, or scrolled by as much.
     const float start = above - scroll - moved;
     const float wanted = std::max(-start, 0.0F);

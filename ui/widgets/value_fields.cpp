@@ -2,6 +2,7 @@
 #include "ui/widgets/inputs.hpp"
 #include "ui/widgets/items.hpp"
 #include "ui/widgets/lists.hpp"
+#include "ui/widgets/number_slider.hpp"
 #include "ui/widgets/option_fields.hpp"
 #include "ui/widgets/tips.hpp"
 
@@ -14,7 +15,7 @@ namespace hariko {
 
 namespace {
 
-constexpr float label_width = 88, field_width = 78;
+constexpr float label_width = 88;
 constexpr float pixels_per_step = 8;
 
 /// Carries a gesture of the last item to its end.
@@ -179,10 +180,10 @@ void value_row(PanelContext& context, const FieldSpec& spec, std::optional<doubl
   drag_label(context, spec, value, edit);
   float width = ImGui::GetContentRegionAvail().x;
   if (spec.slider != SliderKind::none) {
-    const float slider = width - context.metrics.px(field_width) - ImGui::GetStyle().ItemSpacing.x;
+    const float slider = width - context.metrics.px(number_field_width) - ImGui::GetStyle().ItemSpacing.x;
     value_slider(context, spec, value, slider, edit);
     ImGui::SameLine();
-    width = context.metrics.px(field_width);
+    width = context.metrics.px(number_field_width);
   }
   number_field(context, spec, value, width, edit);
   ImGui::PopID();
@@ -216,6 +217,11 @@ void number_field(PanelContext& context, const FieldSpec& spec, std::optional<do
   const std::string mark = std::string("field.") + spec.id;
   const ImGuiID id = ImGui::GetID(("##" + mark).c_str());
   PanelState& state = context.state;
+  const auto typed_into = [](ImGuiID field) {
+    return field != 0 && (GImGui->ActiveId == field || GImGui->ActiveIdPreviousFrame == field);
+  };
+  // A field that went while one typed lost its text: it must not come back with the next one like it.
+  if (!typed_into(state.typing)) state.typing = 0;
   std::string text = state.typing == id ? state.typed_text : shown;
   const bool asked = state.wanted_row == spec.id;
   if (asked) focus_next_field();

@@ -18,6 +18,16 @@ CLI::Validator positive_number() {
   return CLI::Validator(wrong, "POSITIVE");
 }
 
+CLI::Validator finite_number() {
+  return CLI::Validator(
+      [](const std::string& text) {
+        // Both words have an n, and no number has one.
+        const bool good = text.find_first_of("nN") == std::string::npos;
+        return good ? std::string() : "should be a number, but is " + text;
+      },
+      "");
+}
+
 std::optional<Vector3> direction_in(std::string_view text) {
   const auto parts = numbers_in<double, 3>(text, ',');
   if (!parts || *parts == std::array<double, 3>{}) return std::nullopt;

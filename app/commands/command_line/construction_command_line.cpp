@@ -121,10 +121,11 @@ void SolidsCommandLine::add_to(CLI::App& command) {
 SolidsConstruction SolidsCommandLine::construction() const {
   SolidsConstruction out;
   out.method = enum_value<EnvelopeMethod>(method_);
+  double radius = 0;
   if (ball_radius_ == "hull")
     out.ball_radius = std::numeric_limits<double>::infinity();
-  else if (!ball_radius_.empty())
-    out.ball_radius = std::stod(ball_radius_);
+  else if (parse_real(ball_radius_, radius) == NumberStatus::ok)
+    out.ball_radius = radius;
   out.rounding = rounding_;
   if (!on_faces_.empty()) out.on_faces = on_faces_ == "on";
   if (!finer_.empty()) out.finer_patches = finer_ == "on";

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <system_error>
 
+#include "app/commands/command_line/checks.hpp"
 #include "app/commands/command_line/construction_command_line.hpp"
 #include "app/commands/command_line/standard_streams.hpp"
 #include "app/commands/command_line/subcommand_lines.hpp"
@@ -41,6 +42,9 @@ class CommandLine {
     for (CLI::App* command : {info_, export_.command(), render_.command(), mesh_.command(),
                               sections_.command(), evaluate_, unfold_.command()})
       streams_.add_to(*command);
+    for (CLI::App* command : app_.get_subcommands({}))
+      for (CLI::Option* option : command->get_options())
+        if (option->get_type_name().starts_with("FLOAT")) option->check(finite_number());
     app_.footer(
         "Files are Hariko documents (*.hariko), meshes (*.obj, *.off, *.ply, *.stl, *.glb, *.gltf, *.3mf), "
         "Bezier patches (*.bpt, *.json) or CAD files (*.step, *.stp, *.iges, *.igs).\n"

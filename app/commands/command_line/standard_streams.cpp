@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <cerrno>
+#include <csignal>
 #include <cstdio>
 #include <fstream>
 #include <optional>
@@ -25,13 +26,15 @@ const std::vector<std::string> read_formats{"hariko", "obj", "off",  "ply",  "st
 const std::vector<std::string> written_formats{"obj", "off",  "ply", "stl", "3mf", "glb", "gltf", "step",
                                                "stp", "iges", "igs", "png", "svg", "pdf", "dxf",  "json"};
 
+// The parser puts the name of the argument before errors of these functions.
+
 std::string read_all_input() {
   std::string out;
   std::vector<char> piece(piece_size);
   while (const std::size_t got = std::fread(piece.data(), 1, piece.size(), stdin)) {
     out.append(piece.data(), got);
     if (out.size() > default_file_size_limit)
-      throw CLI::ValidationError("FILE", "the standard input is longer than files may be");
+      throw CLI::ValidationError("the standard input is longer than files may be");
   }
   return out;
 }
@@ -72,8 +75,12 @@ void StandardStreams::add_to(CLI::App& command) {
 }
 
 const std::filesystem::path& StandardStreams::folder() {
-  if (!folder_) folder_ = std::make_unique<ScratchFolder>();
-  if (folder_->path().empty()) throw CLI::ValidationError("-", "no temporary file can be made");
+  if (!folder_) {
+    // A reader that ends early ends writing with an error; as a signal it would leave the folder behind.
+    std::signal(SIGPIPE, SIG_IGN);
+    folder_ = std::make_unique<ScratchFolder>();
+  }
+  if (folder_->path().empty()) throw CLI::ValidationError("no temporary file can be made");
   return folder_->path();
 }
 
@@ -96,33 +103,33 @@ std::string StandardStreams::input(const CLI::Option& from) {
 /// `name`: of the argument, for messages.
 std::string StandardStreams::keep_input(const std::string& name, const std::string& format) {
   if (!in_.empty() && reader_ != name)
-    throw CLI::ValidationError(name, "only one file can come from the standard input");
+    throw CLI::ValidationError("only one file can come from the standard input");
   if (!in_.empty()) return in_.string();
   const std::string bytes = read_all_input();
   const auto ending = format.empty() ? ending_of_content(bytes) : std::optional(format);
   if (!ending)
-    throw CLI::ValidationError(name, name == "FILE"
-                                         ? "the standard input does not tell its format; say it with --from"
-                                         : "the standard input does not tell its format; name a file");
+    throw CLI::ValidationError(name == "FILE"
+                                   ? "the standard input does not tell its format; say it with --from"
+                                   : "the standard input does not tell its format; name a file");
   in_ = folder() / ("input." + *ending);
   reader_ = name;
   if (!write_file_atomic(in_, bytes).ok())
-    throw CLI::ValidationError(name, "the standard input cannot be kept in a temporary file");
+    throw CLI::ValidationError("the standard input cannot be kept in a temporary file");
   return in_.string();
 }
 
 std::string StandardStreams::output(const CLI::Option& to) {
-  if (to.empty()) throw CLI::ValidationError("OUT", "say with --to which format the standard output gets");
+  if (to.empty()) throw CLI::ValidationError("say with --to which format the standard output gets");
   return redirect_output(to.results().front());
 }
 
 std::string StandardStreams::redirect_output(const std::string& format) {
-  if (!out_.empty()) throw CLI::ValidationError("OUT", "only one file can go to the standard output");
+  if (!out_.empty()) throw CLI::ValidationError("only one file can go to the standard output");
   out_ = folder() / ("output." + format);
   // Reports of the commands go to the error stream.
   saved_output_ = ::dup(STDOUT_FILENO);
   if (saved_output_ < 0 || ::dup2(STDERR_FILENO, STDOUT_FILENO) < 0)
-    throw CLI::ValidationError("OUT", "the standard output cannot be written");
+    throw CLI::ValidationError("the standard output cannot be written");
   return out_.string();
 }
 

@@ -10,6 +10,7 @@
 #include "core/document/edits/edit_attachments.hpp"
 #include "core/document/edits/edit_dimensions.hpp"
 #include "core/document/edits/edit_groups.hpp"
+#include "core/document/edits/edit_pictures.hpp"
 #include "core/document/edits/edit_support.hpp"
 #include "core/document/edits/edit_views.hpp"
 
@@ -103,6 +104,25 @@ Message too_many_objects() {
 bool has_room(const Document& document, std::size_t count) {
   return document.objects.size() + count <= Document::max_objects &&
          document.next_object_id.value <= no_index - count;
+}
+
+/// Applies `change` to these objects; those that it leaves as they are stay shared.
+template <class Change>
+Result<Document> with_each(const Document& document, std::span<const ObjectId> objects,
+                           const Change& change) {
+  const std::set<ObjectId> chosen(objects.begin(), objects.end());
+  Document out = document;
+  std::size_t found = 0;
+  for (auto& object : out.objects) {
+    if (!chosen.contains(object->id)) continue;
+    ++found;
+    Object changed = *object;
+    change(changed);
+    if (!(changed == *object)) object = std::make_shared<const Object>(std::move(changed));
+  }
+  for (const ObjectId id : chosen)
+    if (found < chosen.size() && !document.find(id)) return detail::unknown_object(id);
+  return out;
 }
 
 /// Appends dimensions of another document under new ids. Those that name an object which did not come along
@@ -203,14 +223,15 @@ std::vector<std::shared_ptr<const Object>> with_copies(
 
 }  // namespace
 
-Result<Added> add_object(const Document& document, std::string name, Source source,
-                         const Similarity& transform, const DisplaySettings& display) {
+Result<Added> add_object(Document document, std::string name, Source source, const Similarity& transform,
+                         const DisplaySettings& display) {
   if (!has_room(document, 1)) return too_many_objects();
   if (const auto checked = check_name(name); !checked) return checked.error();
   if (const auto checked = detail::check_display(display); !checked) return checked.error();
   const Result<Similarity> placed = detail::checked_transform(transform);
   if (!placed) return placed.error();
-  Added added{document, document.next_object_id};
+  const ObjectId id = document.next_object_id;
+  Added added{std::move(document), id};
   added.document.objects.push_back(std::make_shared<const Object>(
       Object{added.id, std::move(name), true, false, *placed, display, std::move(source), {}}));
   ++added.document.next_object_id.value;
@@ -234,6 +255,8 @@ Result<Document> append_document(const Document& document, const Document& other
       Attachments attachments;
       for (auto [edge, attachment] : *source->attachments) {
         const auto found = renamed.find(attachment.patch);
+        // A join to an object that is not there joins nothing, and under no id could a file name it.
+        if (found == renamed.end() && !attachment.frozen) continue;
         attachment.patch = found == renamed.end() ? ObjectId{} : found->second;
         attachments.set(edge, attachment);
       }
@@ -241,6 +264,7 @@ Result<Document> append_document(const Document& document, const Document& other
     }
     result.objects.push_back(std::make_shared<const Object>(std::move(copy)));
   }
+  if (const auto room = check_packed_pictures(result); !room) return room.error();
   const Result<Document> measured = with_appended_dimensions(result, *other.dimensions, renamed);
   return measured ? append_views(*measured, *other.saved_views) : measured;
 }
@@ -303,6 +327,7 @@ Result<AddedObjects> duplicate_objects(const Document& document, std::span<const
     }
   }
   added.document.objects = with_copies(document, made);
+  if (const auto room = check_packed_pictures(added.document); !room) return room.error();
   return added;
 }
 
@@ -334,6 +359,11 @@ Result<Document> set_visible(const Document& document, ObjectId object, bool vis
   });
 }
 
+Result<Document> hide_objects(const Document& document, std::span<const ObjectId> objects) {
+  return with_each(document, objects,
+                   [](Object& changed) { changed.visible = changed.hidden_by_group = false; });
+}
+
 Result<Document> showing_only(const Document& document, std::span<const ObjectId> objects) {
   const std::set<ObjectId> shown(objects.begin(), objects.end());
   std::vector<ObjectId> present;
@@ -350,13 +380,16 @@ Result<Document> showing_only(const Document& document, std::span<const ObjectId
   return show_objects(out, present);
 }
 
-Result<Document> set_locked(const Document& document, ObjectId object, bool locked) {
-  return detail::change_object(document, object, false, [&](Object& changed) -> Result<Done> {
+Result<Document> lock_objects(const Document& document, std::span<const ObjectId> objects, bool locked) {
+  return with_each(document, objects, [&](Object& changed) {
     const bool locks = is_locked(document, changed.group);
     changed.locked = locked || locks;
     changed.locked_by_group = !locked && locks;
-    return Done{};
   });
+}
+
+Result<Document> set_locked(const Document& document, ObjectId object, bool locked) {
+  return lock_objects(document, std::span(&object, 1), locked);
 }
 
 Result<Document> set_transform(const Document& document, ObjectId object, const Similarity& transform) {

@@ -23,12 +23,13 @@ struct Added {
 
 /// Appends an object with the next free id. Errors: E_NAME_EMPTY, E_NAME_INVALID, E_TRANSFORM_INVALID,
 /// E_DISPLAY_INVALID, E_TOO_MANY_OBJECTS.
-Result<Added> add_object(const Document& document, std::string name, Source source,
-                         const Similarity& transform = {}, const DisplaySettings& display = {});
+Result<Added> add_object(Document document, std::string name, Source source, const Similarity& transform = {},
+                         const DisplaySettings& display = {});
 
 /// Appends every object of `other` under new ids (opening a file into the scene), its dimensions and its
-/// saved views. Coordinates stay as numbers; units are not converted. Errors: E_TOO_MANY_OBJECTS,
-/// E_TOO_MANY_DIMENSIONS, E_TOO_MANY_VIEWS.
+/// saved views. Coordinates stay as numbers; units are not converted. Edges that are attached to an object
+/// that `other` does not have are free. Errors: E_TOO_MANY_OBJECTS, E_TOO_MANY_DIMENSIONS, E_TOO_MANY_VIEWS,
+/// E_PICTURES_TOO_LARGE.
 Result<Document> append_document(const Document& document, const Document& other);
 
 /// Deletes objects, and the dimensions that name them. Edges of others that are attached to them keep copies
@@ -37,7 +38,8 @@ Result<Document> delete_objects(const Document& document, std::span<const Object
 
 /// Duplicates an object. The copy follows its original in the list, its attached edges keep copies of their
 /// sides, it gets a free name (`free_name`) and is not locked; it lies in the group of the original, or in
-/// the next one round it that is not locked. Errors: E_UNKNOWN_OBJECT, E_TOO_MANY_OBJECTS.
+/// the next one round it that is not locked. Errors: E_UNKNOWN_OBJECT, E_TOO_MANY_OBJECTS,
+/// E_PICTURES_TOO_LARGE.
 Result<Added> duplicate_object(const Document& document, ObjectId object);
 
 /// A document and the objects that the edit made.
@@ -64,12 +66,16 @@ Result<Document> rename_object(const Document& document, ObjectId object, std::s
 
 /// Shows or hides an object by its own switch; in a hidden group it stays hidden. Errors: E_UNKNOWN_OBJECT.
 Result<Document> set_visible(const Document& document, ObjectId object, bool visible);
+/// Hides all of these objects. Errors: E_UNKNOWN_OBJECT. O(n log n).
+Result<Document> hide_objects(const Document& document, std::span<const ObjectId> objects);
 
 /// Returns the document with these objects visible, with the groups round them, and no others. Unchanged
 /// objects are shared. O(n log n).
 Result<Document> showing_only(const Document& document, std::span<const ObjectId> objects);
 /// Locks or unlocks an object by its own switch; in a locked group it stays locked. Errors: E_UNKNOWN_OBJECT.
 Result<Document> set_locked(const Document& document, ObjectId object, bool locked);
+/// The same of all of these objects. O(n log n).
+Result<Document> lock_objects(const Document& document, std::span<const ObjectId> objects, bool locked);
 
 /// Places an object. Normalises the rotation unless it is a unit quaternion already. Errors:
 /// E_UNKNOWN_OBJECT, E_LOCKED, E_TRANSFORM_INVALID (not finite, zero rotation, scale outside 1e-9 .. 1e9).

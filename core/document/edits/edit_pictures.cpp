@@ -31,13 +31,28 @@ Document with_picture_paths(const Document& document, Change&& change) {
   for (auto& object : out.objects) {
     const PictureSource* picture = object->picture();
     if (!picture || picture->packed()) continue;
-    std::string path = change(std::filesystem::path(picture->path));
+    std::string path = change(*picture);
     if (path == picture->path) continue;
     Object changed = *object;
     std::get<PictureSource>(changed.source).path = std::move(path);
     object = std::make_shared<const Object>(std::move(changed));
   }
   return out;
+}
+
+/// Whether a file can hold the path: names of folders may be other bytes than UTF-8.
+bool is_storable(PictureSource picture, const std::string& path) {
+  picture.path = path;
+  return check_picture(picture).ok();
+}
+
+/// Path of a picture from a folder, as a file can hold it: if need be the picture's name alone.
+std::string path_from(const std::filesystem::path& folder, const PictureSource& picture) {
+  const std::filesystem::path path(picture.path);
+  const std::filesystem::path relative =
+      path.is_absolute() ? path.lexically_relative(folder) : std::filesystem::path();
+  std::string out = (relative.empty() ? path : relative).generic_string();
+  return is_storable(picture, out) ? out : path.filename().generic_string();
 }
 
 }  // namespace
@@ -116,16 +131,20 @@ Result<Done> check_packed_pictures(const Document& document) {
 
 Document with_relative_pictures(const Document& document, const std::filesystem::path& folder) {
   if (folder.empty() || folder.is_relative()) return document;
-  return with_picture_paths(document, [&](const std::filesystem::path& path) {
-    const std::filesystem::path relative =
-        path.is_absolute() ? path.lexically_relative(folder) : std::filesystem::path();
-    return (relative.empty() ? path : relative).generic_string();
+  return with_picture_paths(document,
+                            [&](const PictureSource& picture) { return path_from(folder, picture); });
+}
+
+Document with_storable_pictures(const Document& document, const std::filesystem::path& folder) {
+  return with_picture_paths(document, [&](const PictureSource& picture) {
+    return is_storable(picture, picture.path) ? picture.path : path_from(folder, picture);
   });
 }
 
 Document with_absolute_pictures(const Document& document, const std::filesystem::path& folder) {
   if (folder.empty() || folder.is_relative()) return document;
-  return with_picture_paths(document, [&](const std::filesystem::path& path) {
+  return with_picture_paths(document, [&](const PictureSource& picture) {
+    const std::filesystem::path path(picture.path);
     return (path.is_absolute() ? path : (folder / path).lexically_normal()).generic_string();
   });
 }

@@ -46,8 +46,11 @@ Result<Done> check_packed_pictures(const Document& document);
 
 /// Converts the paths of linked pictures to relative ones for a file in this (absolute) folder, or back to
 /// absolute ones. Paths that are relative (absolute) already stay. Documents without linked pictures are
-/// returned unchanged.
+/// returned unchanged. Of a relative path that no file can hold, as a folder's name is no UTF-8, the
+/// picture's name is left.
 Document with_relative_pictures(const Document& document, const std::filesystem::path& folder);
 Document with_absolute_pictures(const Document& document, const std::filesystem::path& folder);
+/// Converts paths that no file can hold to relative ones for this folder, and leaves all others.
+Document with_storable_pictures(const Document& document, const std::filesystem::path& folder);
 
 }  // namespace hariko

@@ -11,6 +11,7 @@
 #include "core/base/files/file_uri.hpp"
 #include "core/base/text/json_writer.hpp"
 #include "core/base/text/sanitized_utf8.hpp"
+#include "core/document/edits/edit_pictures.hpp"
 #include "core/document/format/format.hpp"
 
 namespace hariko {
@@ -120,7 +121,7 @@ Result<Done> write_recovery(const fs::path& folder, const Document& document, co
   const std::optional<NotedCopy> noted_before = read_note(folder);
   const std::uint64_t generation =
       1 + std::max(older.empty() ? 0 : older.front().generation, noted_before ? noted_before->generation : 0);
-  const std::string text = write_document(document);
+  const std::string text = write_document(with_storable_pictures(document, note.original.parent_path()));
   const auto write_note = [&, about = text_of({note, generation, checksum(text)})] {
     return write_file_atomic(folder / note_name, about, layer);
   };

@@ -36,7 +36,8 @@ struct RecoveryCopy {
 };
 
 /// Replaces the contents of the (existing) folder by a copy of this document. On an error (E_FILE_WRITE) the
-/// last copy is still there.
+/// last copy is still there. Linked pictures whose paths no file can hold have paths from the original's
+/// folder in it.
 Result<Done> write_recovery(const std::filesystem::path& folder, const Document& document,
                             const RecoveryNote& note, FileLayer& layer);
 

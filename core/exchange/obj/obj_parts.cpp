@@ -132,7 +132,8 @@ std::vector<std::size_t> ObjParts::part_of_faces(const PolygonMesh& mesh,
 }
 
 std::vector<ImportedPart> ObjParts::split(PolygonMesh mesh, std::vector<std::array<Index, 2>> creases,
-                                          std::vector<Index> corners, std::size_t& joined) const {
+                                          std::vector<Index> corners, bool only_used,
+                                          std::size_t& joined) const {
   joined = 0;
   for (auto& [a, b] : creases)
     if (a > b) std::swap(a, b);
@@ -144,11 +145,11 @@ std::vector<ImportedPart> ObjParts::split(PolygonMesh mesh, std::vector<std::arr
   for (std::size_t f = 0; f < part_of_face.size(); ++f) faces[part_of_face[f]].push_back(f);
   std::vector<ImportedPart> out;
   if (faces.size() > ImportedScene::max_parts) joined = faces.size();
-  if (faces.size() == 1 || joined > 0) {
-    // Objects before the only one with faces may be cameras, lights or points.
-    const std::string own = faces.size() == 1 ? names[faces.begin()->first] : std::string();
-    out.push_back(
-        {std::move(mesh), own.empty() ? first_name() : own, std::move(creases), std::move(corners)});
+  // Objects before the only one with faces may be cameras, lights or points.
+  if (faces.size() == 1 && names[faces.begin()->first].empty()) names[faces.begin()->first] = first_name();
+  if ((faces.size() == 1 && !only_used) || joined > 0) {
+    out.push_back({std::move(mesh), joined > 0 ? first_name() : names[faces.begin()->first],
+                   std::move(creases), std::move(corners)});
     return out;
   }
   PartMaker maker(mesh);

@@ -32,9 +32,10 @@ class ObjParts {
 
   /// Splits the mesh: each object is a part or, where there is none, each set of groups that touch. A single
   /// part keeps the mesh unchanged, and so do more than `ImportedScene::max_parts`, whose number is then in
-  /// `joined`. O(corners log corners).
+  /// `joined`; but with `only_used` a single part, too, has only the vertices of its faces. O(corners log
+  /// corners).
   std::vector<ImportedPart> split(PolygonMesh mesh, std::vector<std::array<Index, 2>> creases,
-                                  std::vector<Index> corners, std::size_t& joined) const;
+                                  std::vector<Index> corners, bool only_used, std::size_t& joined) const;
 
  private:
   struct Run {

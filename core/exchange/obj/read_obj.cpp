@@ -254,7 +254,9 @@ Result<ImportedScene> ObjReader::scene() {
   if (out_.mesh.face_count() > 0) {
     const std::size_t vertices = out_.mesh.positions.size();
     std::size_t joined = 0;
-    out.parts = parts_.split(std::move(out_.mesh), tags_.creases(vertices), tags_.corners(vertices), joined);
+    // Control points of surfaces are no vertices of the mesh.
+    out.parts = parts_.split(std::move(out_.mesh), tags_.creases(vertices), tags_.corners(vertices),
+                             !surfaces_.empty(), joined);
     if (joined > 0) out_.warnings.push_back(objects_joined_message(joined));
   }
   out.warnings = std::move(out_.warnings);

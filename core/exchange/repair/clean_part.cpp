@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <string>
 #include <utility>
 
@@ -80,13 +81,43 @@ void count_near(const PolygonMesh& mesh, double tolerance, CleanReport& report) 
   report.near_farthest = std::max(report.near_farthest, near.farthest);
 }
 
+/// Lets creases run along the parts of edges that are split.
+void split_creases(const std::vector<TJoint>& joints, ImportedPart& part) {
+  if (part.creases.empty()) return;
+  const PolygonMesh& mesh = part.mesh;
+  std::map<std::array<Index, 2>, std::vector<Index>> chains;  // by the ends of the edges
+  for (const TJoint& joint : joints) {
+    const auto end = std::upper_bound(mesh.face_offsets.begin(), mesh.face_offsets.end(), joint.corner);
+    const Index next = joint.corner + 1 == *end ? *(end - 1) : joint.corner + 1;
+    std::vector<Index> chain{mesh.face_vertices[joint.corner]};
+    chain.insert(chain.end(), joint.between.begin(), joint.between.end());
+    chain.push_back(mesh.face_vertices[next]);
+    const std::array<Index, 2> ends{std::min(chain.front(), chain.back()),
+                                    std::max(chain.front(), chain.back())};
+    chains[ends] = std::move(chain);
+  }
+  std::vector<std::array<Index, 2>> creases;
+  for (const auto& crease : part.creases) {
+    const auto found = chains.find({std::min(crease[0], crease[1]), std::max(crease[0], crease[1])});
+    if (found == chains.end()) {
+      creases.push_back(crease);
+      continue;
+    }
+    const std::vector<Index>& chain = found->second;
+    for (std::size_t k = 0; k + 1 < chain.size(); ++k) creases.push_back({chain[k], chain[k + 1]});
+  }
+  part.creases = std::move(creases);
+}
+
 /// Counts the corners on edges of other faces; with `split` the edges are split there.
 void mend_t_joints(double tolerance, bool split, ImportedPart& part, CleanReport& report) {
   const std::vector<TJoint> joints = find_t_joints(part.mesh, tolerance);
   std::size_t corners = 0;
   for (const TJoint& joint : joints) corners += joint.between.size();
   (split ? report.split_edges : report.on_edges) += corners;
-  if (split && corners > 0) part.mesh = with_split_edges(part.mesh, joints);
+  if (!split || corners == 0) return;
+  split_creases(joints, part);
+  part.mesh = with_split_edges(part.mesh, joints);
 }
 
 /// Separates bodies that share corners where they touch. Marks go along to the copies.
@@ -126,6 +157,7 @@ void clean(ImportedPart& part, const JoinChoice& choice, CleanReport& report) {
   const double usual = joining_distance(part.mesh);
   const double tolerance = choice.near ? choice.distance.value_or(usual) : usual;
   report.tolerance = std::max(report.tolerance, tolerance);
+  ++report.meshes;
   std::vector<char> used(part.mesh.positions.size(), 0);
   for (const Index v : part.mesh.face_vertices)
     if (v < used.size()) used[v] = 1;
@@ -161,6 +193,8 @@ void clean(ImportedPart& part, const JoinChoice& choice, CleanReport& report) {
 
 std::vector<Message> CleanReport::messages() const {
   std::vector<Message> out;
+  // The tolerance of a large mesh would ruin small ones beside it.
+  const bool each_own = meshes > 1 && !loose;
   if (joined > 0 && near_joined == 0)
     out.push_back(make_warning(w_corners_joined,
                                counted(joined, " corner at the same place as another one was joined with it.",
@@ -177,7 +211,8 @@ std::vector<Message> CleanReport::messages() const {
                                        " corners lie nearly at the same places as others") +
                                    ", up to " + length_text(near_farthest) +
                                    " apart: the surface is open between them.",
-                               "Join them while opening the file (--weld " + length_text(tolerance) + ")."));
+                               "Join them while opening the file (--weld" +
+                                   (each_own ? std::string() : " " + length_text(tolerance)) + ")."));
   if (collapsed > 0)
     out.push_back(make_warning(w_degenerate_triangles,
                                counted(collapsed, " face with corners at the same place was left out.",

@@ -29,6 +29,7 @@ struct JoinChoice {
 
 /// Repairs of all meshes of a file together, made and possible.
 struct CleanReport {
+  std::size_t meshes = 0;       ///< meshes that were cleaned
   std::size_t joined = 0;       ///< corners that were joined
   std::size_t near_joined = 0;  ///< joined corners whose positions differed
   double farthest = 0;          ///< largest distance that a corner was moved

@@ -102,10 +102,15 @@ bool has_two_edges(const MeshEditor& draft, VertexId v) {
 /// Joins every group of several faces in the draft and selects the joined faces.
 std::optional<Message> join_groups(const Polyhedron& polyhedron, DisjointSets& groups, MeshEditor& draft,
                                    ElementSet& selection) {
-  std::map<Index, std::vector<Index>> members;
-  for (Index f = 0; f < polyhedron.face_count(); ++f) members[groups.find(f)].push_back(f);
+  const Index count = polyhedron.face_count();
+  std::vector<char> has_others(count, 0);
+  for (Index f = 0; f < count; ++f)
+    if (const Index first = groups.find(f); first != f) has_others[first] = 1;
+  std::map<Index, std::vector<Index>>
+      members;  // without the faces that stay alone, nearly all of a large mesh
+  for (Index f = 0; f < count; ++f)
+    if (const Index first = groups.find(f); has_others[first]) members[first].push_back(f);
   for (const auto& [first, faces] : members) {
-    if (faces.size() == 1) continue;
     const FaceId id = polyhedron.face_id(first);
     const auto loop = outline(polyhedron.topology(), groups, faces);
     if (!loop) return not_a_disk(id);
