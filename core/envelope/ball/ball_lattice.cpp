@@ -205,9 +205,11 @@ class Lattice {
   /// Mean of the coarse nodes around a node where these, which bound its value, exclude that it is needed.
   std::optional<double> mean_outside_band(std::size_t at, const std::array<int, 3>& n) const {
     const double way = spacing_ * std::sqrt(double((n[0] & 1) + (n[1] & 1) + (n[2] & 1)));
+    // Ways to the coarse nodes in the numbers of nodes, there and back.
+    const std::ptrdiff_t x = n[0] & 1, y = (n[1] & 1) * size_[0], z = (n[2] & 1) * size_[0] * size_[1];
     double sum = 0, low = -1e300, high = 1e300;
-    for (std::size_t c = 0; c < 8; ++c) {
-      const std::size_t m = index(coarse_node(n, c, 2));
+    for (int c = 0; c < 8; ++c) {
+      const auto m = at + std::size_t((c & 1 ? x : -x) + (c & 2 ? y : -y) + (c & 4 ? z : -z));
       const double value = nodes_[m].value;
       sum += value / 8;
       low = std::max(low, (least_.empty() ? value : least_[m]) - way);
@@ -238,6 +240,7 @@ class Lattice {
   void improve(int step, ClosingMemory* memory = nullptr) {
     std::vector<std::array<int, 3>> creases = crease_nodes(step);
     creases_ = creases.size();
+    worth_trying_.assign(nodes_.size(), 1);
     for (const bool forward : {true, false}) {
       if (cancel_.cancelled()) return;
       ClosingMemory::Sweep* const sweep = memory ? &memory->trials(step == 1, forward) : nullptr;
@@ -266,9 +269,11 @@ class Lattice {
   void improve_kept(std::size_t at, const std::array<int, 3>& n, int step, ClosingMemory::Sweep& sweep) {
     const ClosingMemory::Trial* before = sweep.before(at);
     const bool same_value = !memory_->is_changed(at);
-    if (same_value && !memory_->is_changed_about(n, step) && (!before || memory_->holds(before->reach))) {
+    if (worth_trying_[at] && same_value && !memory_->is_changed_about(n, step) &&
+        (!before || memory_->holds(before->reach))) {
+      worth_trying_[at] = 0;
       if (!before) return;
-      nodes_[at] = before->result;
+      put(at, n, step, before->result);
       sweep.add(*before);
       return;
     }
@@ -278,8 +283,22 @@ class Lattice {
     if (same_value) memory_->set_changed(at, !equal_bits(nodes_[at], wanted));
   }
 
-  /// Tries the best centre of a node's neighbours; false if none is better. `reach`: see `Closing`.
+  /// Replaces a node's value in a sweep; where it is another one, it is worth trying there, and at the
+  /// neighbours.
+  void put(std::size_t at, const std::array<int, 3>& n, int step, const ClosedDistance& value) {
+    if (equal_bits(nodes_[at], value)) return;
+    nodes_[at] = value;
+    for (int k = std::max(n[2] - step, 0); k <= std::min(n[2] + step, size_[2] - 1); k += step)
+      for (int j = std::max(n[1] - step, 0); j <= std::min(n[1] + step, size_[1] - 1); j += step)
+        for (int i = std::max(n[0] - step, 0); i <= std::min(n[0] + step, size_[0] - 1); i += step)
+          worth_trying_[node_index(size_, i, j, k)] = 1;
+  }
+
+  /// Tries the best centre of a node's neighbours, if any of these changed since it was tried; false if none
+  /// is better. `reach`: see `Closing`.
   bool improve_node(std::size_t at, const std::array<int, 3>& n, int step, ClosingReach* reach = nullptr) {
+    if (!worth_trying_[at]) return false;
+    worth_trying_[at] = 0;
     const Vector3 x = point(n);
     double best = nodes_[at].value + noticeable * request_.sigma;
     const Vector3* start = nullptr;
@@ -295,7 +314,7 @@ class Lattice {
           if (const double value = value_from(beside, {i, j, k}, n); value > best)
             best = value, start = &nodes_[other].centre;
         }
-    if (start) nodes_[at] = balls_[ball_].improved(x, nodes_[at], *start, reach);
+    if (start) put(at, n, step, balls_[ball_].improved(x, nodes_[at], *start, reach));
     return start != nullptr;
   }
 
@@ -470,6 +489,8 @@ class Lattice {
   std::vector<ClosedDistance>& nodes_;  ///< the memory's, or our own where nothing is kept
   std::vector<State> state_;
   std::size_t creases_ = 0;  ///< number of crease nodes at the last sweep
+  /// Per node: whether its value, or a neighbour's, changed since the sweeps tried it last.
+  std::vector<char> worth_trying_;
   /// Range of all balls' values at coarse nodes; empty if there is only one ball.
   std::vector<double> least_, most_;
   std::vector<double> slots_;  ///< depth of nodes in a slot; empty without slots

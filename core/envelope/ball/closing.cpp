@@ -35,8 +35,10 @@ class NearestOutside {
     const std::size_t last = obstacles.size() - 1;
     on_one(obstacles[last]);
     for (std::size_t i = 0; i < last; ++i) {
-      on_two(obstacles[last], obstacles[i]);
-      for (std::size_t j = 0; j < i; ++j) on_three(obstacles[last], obstacles[i], obstacles[j]);
+      const auto round = circle(obstacles[last], obstacles[i]);
+      if (!round) continue;
+      on_two(obstacles[last], *round);
+      for (std::size_t j = 0; j < i; ++j) on_three(obstacles[last], *round, obstacles[j]);
     }
   }
   const std::optional<Vector3>& found() const { return best_; }
@@ -68,10 +70,8 @@ class NearestOutside {
     if (!(apart > 0) || !(square > 0)) return {};
     return Circle{axis / apart, apart, way, std::sqrt(square)};
   }
-  void on_two(const Obstacle& p, const Obstacle& q) {
-    const auto round = circle(p, q);
-    if (!round) return;
-    const Vector3 &n = round->axis, middle = p.centre + round->way * n;
+  void on_two(const Obstacle& p, const Circle& round) {
+    const Vector3 &n = round.axis, middle = p.centre + round.way * n;
     Vector3 side = x_ - middle;
     side -= side.dot(n) * n;
     double length = side.norm();
@@ -79,18 +79,16 @@ class NearestOutside {
       side = n.unitOrthogonal();
       length = 1;
     }
-    offer(middle + round->radius / length * side);
+    offer(middle + round.radius / length * side);
   }
-  void on_three(const Obstacle& p, const Obstacle& q, const Obstacle& r) {
-    const auto round = circle(p, q);
-    if (!round) return;
-    const Vector3 &ex = round->axis, to = r.centre - p.centre;
+  void on_three(const Obstacle& p, const Circle& round, const Obstacle& r) {
+    const Vector3 &ex = round.axis, to = r.centre - p.centre;
     const double i = ex.dot(to);
     const Vector3 across = to - i * ex;
     const double j = across.norm();
-    if (!(j > 1e-9 * round->apart)) return;
+    if (!(j > 1e-9 * round.apart)) return;
     const Vector3 ey = across / j;
-    const double x = round->way;
+    const double x = round.way;
     const double y = 0.5 * ((p.radius - r.radius) * (p.radius + r.radius) + i * i + j * j - 2 * i * x) / j;
     const double square = (p.radius - x) * (p.radius + x) - y * y;
     if (!(square >= 0)) return;
@@ -332,10 +330,7 @@ struct Closing::Search {
       const Vector3 way = step->active == 2 ? rolled(y, *step, near) : step->way;
       y += way;
       slack = std::max(2 * way.norm(), accuracy);
-      if (way.norm() < accuracy) {
-        planes_about(y, 0, planes);
-        return;
-      }
+      if (way.norm() < accuracy) break;
     }
     planes_about(y, 0, planes);
   }

@@ -17,11 +17,6 @@ std::array<int, 3> nodes_at_steps(const std::array<int, 3>& size, int step) {
   return {(size[0] - 1) / step + 1, (size[1] - 1) / step + 1, (size[2] - 1) / step + 1};
 }
 
-/// Numbers of cells between every second node along the axes.
-std::array<int, 3> cells_of(const std::array<int, 3>& size) {
-  return {(size[0] - 1) / 2, (size[1] - 1) / 2, (size[2] - 1) / 2};
-}
-
 /// Values at the nodes of another box, with default values at nodes that are new. `shift`: from a node's
 /// place in the old box to that in the new one.
 template <class Value>
@@ -261,7 +256,8 @@ void ClosingMemory::set_mean(std::size_t node) {
 void ClosingMemory::find_steady_cells(bool plain) {
   plain_ = plain;
   const auto& size = frame_.size;
-  steady_.assign(node_count(cells_of(size)), 0);
+  for (std::size_t a = 0; a < 3; ++a) cells_[a] = (size[a] - 1) / 2;
+  steady_.assign(node_count(cells_), 0);
   std::size_t at = 0;
   for (int k = 0; k + 2 < size[2]; k += 2)
     for (int j = 0; j + 2 < size[1]; j += 2)
@@ -278,24 +274,17 @@ void ClosingMemory::find_kept_blocks() {
   kept_.assign(blocks_.size(), 0);
   if (!is_plain()) return;
   kept_ = holding_;
-  const std::array<int, 3> cells = cells_of(frame_.size);
   // The last node along an axis belongs to the last cell, and may begin a block.
-  const auto last_node = [&](std::size_t a, int c) { return c + 1 == cells[a] ? 2 * c + 2 : 2 * c; };
+  const auto last_node = [&](std::size_t a, int c) { return c + 1 == cells_[a] ? 2 * c + 2 : 2 * c; };
   std::size_t at = 0;
-  for (int k = 0; k < cells[2]; ++k)
-    for (int j = 0; j < cells[1]; ++j)
-      for (int i = 0; i < cells[0]; ++i) {
+  for (int k = 0; k < cells_[2]; ++k)
+    for (int j = 0; j < cells_[1]; ++j)
+      for (int i = 0; i < cells_[0]; ++i) {
         if (steady_[at++] != 0) continue;
         for (const int z : {2 * k, last_node(2, k)})
           for (const int y : {2 * j, last_node(1, j)})
             for (const int x : {2 * i, last_node(0, i)}) kept_[block_at({x, y, z})] = 0;
       }
-}
-
-std::size_t ClosingMemory::cell(const std::array<int, 3>& n) const {
-  const std::array<int, 3> cells = cells_of(frame_.size);
-  return node_index(cells, std::min(n[0] / 2, cells[0] - 1), std::min(n[1] / 2, cells[1] - 1),
-                    std::min(n[2] / 2, cells[2] - 1));
 }
 
 void ClosingMemory::begin_slots() {

@@ -85,7 +85,10 @@ class ClosingMemory {
   /// blocks that are kept. `plain`: whether values alone tell which nodes are searched for.
   void find_steady_cells(bool plain);
   /// Whether the cell about a node is one of these.
-  bool is_steady(const std::array<int, 3>& n) const { return steady_[cell(n)] != 0; }
+  bool is_steady(const std::array<int, 3>& n) const {
+    return steady_[node_index(cells_, std::min(n[0] / 2, cells_[0] - 1), std::min(n[1] / 2, cells_[1] - 1),
+                              std::min(n[2] / 2, cells_[2] - 1))] != 0;
+  }
   /// Whether values alone tell which nodes are searched for, and did in the frame before.
   bool is_plain() const { return plain_ && was_plain_; }
   /// Whether the block about a node is kept: its first values hold, its cells are steady, and values alone
@@ -127,7 +130,6 @@ class ClosingMemory {
   bool holds(const Block& block) const;
   std::size_t block_at(const std::array<int, 3>& n) const;
   void find_kept_blocks();
-  std::size_t cell(const std::array<int, 3>& n) const;
   bool is_changed_at(int i, int j, int k) const { return changed_[node_index(frame_.size, i, j, k)] != 0; }
 
   ClosingFrame frame_;
@@ -143,7 +145,8 @@ class ClosingMemory {
   std::vector<char> changed_, searched_;  ///< per node: in this frame
   std::vector<Block> blocks_;             ///< first values of the frame before; empty where none are known
   std::vector<char> holding_, kept_;      ///< per block: its first values hold; see `is_kept`
-  std::vector<char> steady_;              ///< per cell between every second node
+  std::array<int, 3> cells_{};            ///< numbers of cells between every second node
+  std::vector<char> steady_;              ///< per cell
   bool plain_ = false, was_plain_ = false;
   std::vector<SlotTest> slots_;  ///< tests at every fourth node; empty where none was tested
   std::array<Sweep, 4> sweeps_;
