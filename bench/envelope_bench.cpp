@@ -76,12 +76,12 @@ void add_frame(const EnvelopeInput& input, BallMemory& memory, FrameSteps& times
   stop(times.field);
   const BallCage cage = cage_of(made, scene.origin, ball.sigma);
   stop(times.cage);
-  std::vector<HermitePatch> patches = ball_patches(made.field, cage);
+  const auto patches = ball_patches(made.field, cage);
   stop(times.patches);
   constexpr int drag_intervals = 4;
-  benchmark::DoNotOptimize(patch_fits(made.field, patches, drag_intervals));
+  benchmark::DoNotOptimize(patch_fits(made.field, *patches, drag_intervals));
   stop(times.check);
-  benchmark::DoNotOptimize(ball_surface(made.field, cage, std::move(patches), scene.origin));
+  benchmark::DoNotOptimize(ball_surface(made.field, cage, patches, scene.origin));
   stop(times.surface);
 }
 

@@ -140,34 +140,45 @@ struct Jet {
   Point uu = Point::Zero(), uv = Point::Zero(), vv = Point::Zero();
 };
 
+/// Curves across at a v, less the part that both blends count twice: the same for all points with this v.
+template <class Point>
+Rails<Point> row_at(const Corners<Point>& m, Rails<Point> across, const Blend<4>& v, Order order) {
+  for (std::size_t k = 0; k < 4; ++k)
+    for (std::size_t l = 0; l < 4; ++l) {
+      across.value[k] -= v.value[l] * m.constant[k][l];
+      across.first[k] -= v.first[l] * m.constant[k][l];
+      if (order == Order::second) across.second[k] -= v.second[l] * m.constant[k][l];
+    }
+  return across;
+}
+
 /// Coons patch H(u) . across(v) + H(v) . along(u) - H(u) M H(v), without the variable part of the twists.
 template <class Point>
-Jet<Point> coons(const Corners<Point>& m, const Rails<Point>& across, const Rails<Point>& along,
-                 const Blend<4>& u, const Blend<4>& v, Order order) {
+Jet<Point> coons(const Rails<Point>& row, const Rails<Point>& along, const Blend<4>& u, const Blend<4>& v,
+                 Order order) {
   Jet<Point> out;
   for (std::size_t k = 0; k < 4; ++k) {
-    Point row = across.value[k], row_v = across.first[k];
-    for (std::size_t l = 0; l < 4; ++l) {
-      row -= v.value[l] * m.constant[k][l];
-      row_v -= v.first[l] * m.constant[k][l];
-    }
-    out.value += u.value[k] * row + v.value[k] * along.value[k];
-    out.u += u.first[k] * row + v.value[k] * along.first[k];
-    out.v += u.value[k] * row_v + v.first[k] * along.value[k];
+    out.value += u.value[k] * row.value[k] + v.value[k] * along.value[k];
+    out.u += u.first[k] * row.value[k] + v.value[k] * along.first[k];
+    out.v += u.value[k] * row.first[k] + v.first[k] * along.value[k];
     if (order != Order::second) continue;
-    Point row_vv = across.second[k];
-    for (std::size_t l = 0; l < 4; ++l) row_vv -= v.second[l] * m.constant[k][l];
-    out.uu += u.second[k] * row + v.value[k] * along.second[k];
-    out.uv += u.first[k] * row_v + v.first[k] * along.first[k];
-    out.vv += u.value[k] * row_vv + v.second[k] * along.value[k];
+    out.uu += u.second[k] * row.value[k] + v.value[k] * along.second[k];
+    out.uv += u.first[k] * row.first[k] + v.first[k] * along.first[k];
+    out.vv += u.value[k] * row.second[k] + v.second[k] * along.value[k];
   }
   return out;
 }
 
-/// Subtracts the variable part of the twists, at (s, t).
-template <class Point>
-void subtract_twists(const Corners<Point>& m, double s, const Blend<4>& u, double t, const Blend<4>& v,
-                     Order order, Jet<Point>& out) {
+/// Factors of the corners' shares in the variable part of the twists, with derivatives.
+struct TwistFactors {
+  struct Factor {
+    double value, u, v, uu, uv, vv;
+  };
+  std::array<std::array<Factor, 2>, 2> at;
+};
+/// Factors at (s, t), for all patches.
+inline TwistFactors twist_factors(double s, const Blend<4>& u, double t, const Blend<4>& v) {
+  TwistFactors out;
   for (std::size_t i = 0; i < 2; ++i)
     for (std::size_t j = 0; j < 2; ++j) {
       const double su = i == 0 ? 1 : -1, sv = j == 0 ? 1 : -1;
@@ -175,14 +186,30 @@ void subtract_twists(const Corners<Point>& m, double s, const Blend<4>& u, doubl
       const double xu = su * x.p, xv = sv * x.q;
       const double a = u.value[1 + i], au = u.first[1 + i], auu = u.second[1 + i];
       const double b = v.value[1 + j], bv = v.first[1 + j], bvv = v.second[1 + j];
+      out.at[i][j] = {a * b * x.value,
+                      b * (au * x.value + a * xu),
+                      a * (bv * x.value + b * xv),
+                      b * (auu * x.value + 2 * au * xu + a * x.pp),
+                      au * bv * x.value + au * b * xv + a * bv * xu + a * b * su * sv * x.pq,
+                      a * (bvv * x.value + 2 * bv * xv + b * x.qq)};
+    }
+  return out;
+}
+
+/// Subtracts the variable part of the twists.
+template <class Point>
+void subtract_twists(const Corners<Point>& m, const TwistFactors& factors, Order order, Jet<Point>& out) {
+  for (std::size_t i = 0; i < 2; ++i)
+    for (std::size_t j = 0; j < 2; ++j) {
+      const TwistFactors::Factor& factor = factors.at[i][j];
       const Point& share = m.share[i][j];
-      out.value -= a * b * x.value * share;
-      out.u -= b * (au * x.value + a * xu) * share;
-      out.v -= a * (bv * x.value + b * xv) * share;
+      out.value -= factor.value * share;
+      out.u -= factor.u * share;
+      out.v -= factor.v * share;
       if (order != Order::second) continue;
-      out.uu -= b * (auu * x.value + 2 * au * xu + a * x.pp) * share;
-      out.vv -= a * (bvv * x.value + 2 * bv * xv + b * x.qq) * share;
-      out.uv -= (au * bv * x.value + au * b * xv + a * bv * xu + a * b * su * sv * x.pq) * share;
+      out.uu -= factor.uu * share;
+      out.vv -= factor.vv * share;
+      out.uv -= factor.uv * share;
     }
 }
 

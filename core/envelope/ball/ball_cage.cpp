@@ -3,11 +3,9 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <span>
 
 #include "core/base/disjoint_sets.hpp"
-#include "core/geometry/edge_key.hpp"
 
 namespace hariko {
 
@@ -177,13 +175,15 @@ BallCage starred(const SplineField& field, const CubeTree& cubes, const Contour&
                  std::vector<double>& sizes) {
   BallCage out;
   std::vector<Index> number(mesh.vertices.size(), no_index);
-  std::map<std::uint64_t, Index> middles;  // by edge
+  const FaceSides all_sides = sides_of(mesh.faces, mesh.vertices.size());
+  std::vector<Index> middles(all_sides.ends.size(), no_index);
   const auto add = [&](const Vector3& p, double size) {
     out.positions.push_back(projected(field, p, first_steps, 0.5 * size));
     sizes.push_back(size);
     return Index(out.positions.size() - 1);
   };
-  for (const auto& face : mesh.faces) {
+  for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
+    const auto& face = mesh.faces[f];
     const std::size_t n = face[3] == no_index ? 3 : 4;
     std::array<Index, 4> corners{}, sides{};
     Vector3 sum = Vector3::Zero();
@@ -195,9 +195,9 @@ BallCage starred(const SplineField& field, const CubeTree& cubes, const Contour&
       sum += a.position / double(n);
       if (number[face[i]] == no_index) number[face[i]] = add(a.position, own);
       corners[i] = number[face[i]];
-      const auto [found, fresh] = middles.try_emplace(edge_key(face[i], face[(i + 1) % n]), no_index);
-      if (fresh) found->second = add(0.5 * (a.position + b.position), std::min(own, other));
-      sides[i] = found->second;
+      Index& amid = middles[all_sides.of_face[f][i]];
+      if (amid == no_index) amid = add(0.5 * (a.position + b.position), std::min(own, other));
+      sides[i] = amid;
     }
     const Index middle = add(sum, size);
     for (std::size_t i = 0; i < n; ++i) {
@@ -311,19 +311,37 @@ BallCage ball_cage(const SplineField& field, CubeTree& cubes) {
   return out;
 }
 
-BallCage cut_cage(const SplineField& field, const BallCage& cage, std::span<const HermitePatch> patches,
-                  std::span<const QuadCuts> cuts, double longest) {
-  // Sides are numbered; opposite sides of a quad are cut together.
-  std::map<std::uint64_t, Index> sides;  // by edge
-  std::vector<std::array<Index, 4>> of_quad;
-  for (const auto& quad : cage.quads) {
-    std::array<Index, 4>& mine = of_quad.emplace_back();
-    for (std::size_t i = 0; i < 4; ++i)
-      mine[i] = sides.try_emplace(edge_key(quad[i], quad[(i + 1) % 4]), Index(sides.size())).first->second;
+FaceSides sides_of(std::span<const std::array<Index, 4>> faces, std::size_t vertices) {
+  FaceSides out;
+  // Lists of the sides at their lower ends.
+  std::vector<Index> first(vertices, no_index), next;
+  for (const auto& face : faces) {
+    std::array<Index, 4>& mine = out.of_face.emplace_back();
+    const std::size_t n = face[3] == no_index ? 3 : 4;
+    for (std::size_t i = 0; i < n; ++i) {
+      const auto [low, high] = std::minmax(face[i], face[(i + 1) % n]);
+      Index at = first[low];
+      while (at != no_index && out.ends[at][1] != high) at = next[at];
+      if (at == no_index) {
+        at = Index(out.ends.size());
+        out.ends.push_back({low, high});
+        next.push_back(std::exchange(first[low], at));
+      }
+      mine[i] = at;
+    }
   }
-  DisjointSets chords(sides.size());
+  return out;
+}
+
+BallCage cut_cage(const SplineField& field, const BallCage& cage, const HermitePatchSet& patches,
+                  std::span<const QuadCuts> cuts, double longest) {
+  const FaceSides sides = sides_of(cage.quads, cage.positions.size());
+  const std::size_t count = sides.ends.size();
+  const std::vector<std::array<Index, 4>>& of_quad = sides.of_face;
+  // Opposite sides of a quad are cut together.
+  DisjointSets chords(count);
   for (const auto& mine : of_quad) chords.join(mine[0], mine[2]), chords.join(mine[1], mine[3]);
-  std::vector<char> cut(sides.size(), 0);
+  std::vector<char> cut(count, 0);
   for (std::size_t q = 0; q < cuts.size(); ++q)
     for (std::size_t way = 0; way < 2; ++way)
       if (cuts[q][way]) cut[chords.find(of_quad[q][way])] = 1;
@@ -332,12 +350,12 @@ BallCage cut_cage(const SplineField& field, const BallCage& cage, std::span<cons
   BallCage out = cage;
   out.quads.clear();
   out.cubes.clear();
-  std::vector<Index> middle(sides.size(), no_index);
+  std::vector<Index> middle(count, no_index);
   // New vertices start on the patches, which are nearer to the surface than chords; chords may cross thin
   // parts.
   const auto add_vertex = [&](std::size_t q, double u, double v) {
     out.positions.push_back(
-        projected(field, evaluate(patches[q], Vector2(u, v), Order::first).position, 3, longest));
+        projected(field, patches.evaluate(Index(q), Vector2(u, v), Order::first).position, 3, longest));
     return Index(out.positions.size() - 1);
   };
   for (std::size_t q = 0; q < cage.quads.size(); ++q)

@@ -40,13 +40,21 @@ struct BallCage {
 /// needs it.
 BallCage ball_cage(const SplineField& field, CubeTree& cubes);
 
+/// Sides of faces, numbered in the order in which they come first.
+struct FaceSides {
+  std::vector<std::array<Index, 2>> ends;    ///< in ascending order
+  std::vector<std::array<Index, 4>> of_face;  ///< from corner to corner
+};
+/// Finds the sides. Triangles end with no_index. O(faces) where few sides meet at a vertex.
+FaceSides sides_of(std::span<const std::array<Index, 4>> faces, std::size_t vertices);
+
 /// Cuts of a quad: across its sides 0 and 2, across its sides 1 and 3.
 using QuadCuts = std::array<bool, 2>;
 
 /// Cuts quads, each together with all quads that follow one another across opposite sides, so that no vertex
 /// lies inside a side. `patches`, `cuts`: one per quad. `longest`: largest displacement of a new vertex, a
 /// length.
-BallCage cut_cage(const SplineField& field, const BallCage& cage, std::span<const HermitePatch> patches,
+BallCage cut_cage(const SplineField& field, const BallCage& cage, const HermitePatchSet& patches,
                   std::span<const QuadCuts> cuts, double longest);
 
 /// Topology of a closed mesh: number of components, and number of tunnels (the total genus).

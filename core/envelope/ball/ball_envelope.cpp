@@ -70,14 +70,14 @@ std::vector<Cube> cubes_about(const CubeTree& cubes, std::span<const Vector3> po
 /// Patches over a cage, with their deviations.
 struct Fitted : BallFit {
   BallCage cage;
-  std::vector<HermitePatch> patches;
+  std::shared_ptr<const HermitePatchSet> patches;
   std::vector<PatchFit> fits;
   std::vector<Vector3> lost;  ///< middles of solids outside of the cage
 
   Fitted(const BallField& field, BallCage of, double tolerance, int intervals)
       : cage(std::move(of)),
         patches(ball_patches(field.field, cage)),
-        fits(patch_fits(field.field, patches, intervals)),
+        fits(patch_fits(field.field, *patches, intervals)),
         lost(points_outside(cage, field.middles)) {
     for (const PatchFit& fit : fits) {
       inward = std::max(inward, fit.inward);
@@ -133,14 +133,14 @@ class Fitting {
   /// Cuts the patches that deviate too much, as long as that helps.
   Fitted cut_where_needed(Fitted of) const {
     while (of.coarse > 0 && of.rounds < most_cuts && !cancel_.cancelled()) {
-      const std::vector<PatchTurn> turns = patch_turns(field_.field, of.patches, intervals_);
+      const std::vector<PatchTurn> turns = patch_turns(field_.field, *of.patches, intervals_);
       double most = 0;
       for (const PatchTurn& turn : turns) most = std::max({most, turn[0], turn[1]});
       if (most > largest_turn) break;
       std::vector<QuadCuts> cuts;
       for (std::size_t q = 0; q < of.fits.size(); ++q)
         cuts.push_back(is_good(of.fits[q], tolerance_) ? QuadCuts{false, false} : cuts_of(turns[q]));
-      Fitted next(field_, cut_cage(field_.field, of.cage, of.patches, cuts, 0.25 * edge_), tolerance_,
+      Fitted next(field_, cut_cage(field_.field, of.cage, *of.patches, cuts, 0.25 * edge_), tolerance_,
                   intervals_);
       if (next.coarse >= 2 * of.coarse) break;
       next.rounds = of.rounds + 1;

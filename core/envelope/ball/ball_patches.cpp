@@ -3,21 +3,16 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <span>
 
 #include "core/base/index_list.hpp"
 #include "core/base/parallel.hpp"
 #include "core/envelope/closed_surface.hpp"
 #include "core/geometry/angles.hpp"
-#include "core/geometry/edge_key.hpp"
 
 namespace hariko {
 
 namespace {
-
-/// Fractions of a side at which the curvature across it is matched.
-constexpr std::array<double, 3> bend_places{0.2, 0.5, 0.8};
 
 /// Side with the field of directions across it to its left, in the surface's tangent planes.
 struct Ribbon {
@@ -89,38 +84,37 @@ Quintic inward_field(const Ribbon& side, const Vector3& start, const Vector3& en
   return out;
 }
 
-/// Matches the second derivatives across all sides at a few places, those of `sides`.
-void set_bends(const SplineField& field, const SideEvaluation& sides, HermitePatch& patch) {
-  // The bend of a side changes no second derivative at others: all are looked at before any is set.
-  std::array<PatchPoint, 4 * bend_places.size()> points;
-  sides(patch, points);
+/// Curvature of the surface at the places of a side where the curvature across it is matched.
+using SideForms = std::array<LevelCurvature, bend_places.size()>;
+
+/// Patch of a quad: its sides counter-clockwise, the derivatives into it, and the surface's curvature along
+/// them.
+HermitePatch patch_between(std::array<Quintic, 4> sides, std::array<Quintic, 4> inwards,
+                           const std::array<SideForms, 4>& forms) {
+  HermitePatch out = HermitePatch::from_loop(sides, inwards);
   for (std::size_t side = 0; side < 4; ++side) {
-    std::array<Vector3, 3> wanted;
+    std::array<Vector3, 3> wanted = seconds_across(HermitePatch::from_loop(sides, inwards));
     for (std::size_t i = 0; i < 3; ++i) {
-      const double t = bend_places[i], s = 1 - t;
-      const PatchPoint& at = points[bend_places.size() * side + i];
-      const bool along_u = side % 2 == 0;
-      const Vector3 &across = along_u ? at.dt : at.ds, &second = along_u ? at.dtt : at.dss;
-      const LevelCurvature form = level_curvature(field, at.position);
-      wanted[i] = (form.along(across) - second.dot(form.normal)) / (64 * t * t * t * s * s * s) * form.normal;
+      const LevelCurvature& form = forms[side][i];
+      const Vector3 across = value_at(inwards[0], bend_places[i]);
+      wanted[i] = (form.along(across) - wanted[i].dot(form.normal)) * form.normal;
     }
-    // Parabola through values at -1, 0, 1 of (t - 1/2) / 0.3.
-    const double scale = 1 / (bend_places[2] - bend_places[1]), shift = -bend_places[1] * scale;
-    const Vector3 c1 = 0.5 * (wanted[2] - wanted[0]), c2 = 0.5 * (wanted[2] + wanted[0]) - wanted[1];
-    patch.bend[side] = {wanted[1] + shift * c1 + shift * shift * c2, scale * c1 + 2 * scale * shift * c2,
-                        scale * scale * c2};
+    out.bend[side] = bend_through(wanted);
+    // The next side comes first.
+    std::rotate(sides.begin(), sides.begin() + 1, sides.end());
+    std::rotate(inwards.begin(), inwards.begin() + 1, inwards.end());
   }
+  return out;
 }
 
 /// Calls each(patch, positions, normals) with a grid of points on every patch, in parallel.
 template <class Each>
-void for_patch_grids(std::span<const HermitePatch> patches, const GridPattern& pattern, const Each& each) {
-  const HermitePatchSet set({patches.begin(), patches.end()});
+void for_patch_grids(const HermitePatchSet& patches, const GridPattern& pattern, const Each& each) {
   const auto count = std::size_t(pattern.point_count());
-  parallel_for(patches.size(), 8, [&](std::size_t begin, std::size_t end) {
+  parallel_for(patches.patch_count(), 8, [&](std::size_t begin, std::size_t end) {
     const std::vector<Index> numbers = ascending_indices(end - begin, Index(begin));
     std::vector<Vector3> positions(numbers.size() * count), normals(numbers.size() * count);
-    set.evaluate_grid(numbers, pattern, positions, normals);
+    patches.evaluate_grid(numbers, pattern, positions, normals);
     for (std::size_t k = 0; k < numbers.size(); ++k)
       each(begin + k, std::span<const Vector3>(positions).subspan(k * count, count),
            std::span<const Vector3>(normals).subspan(k * count, count));
@@ -129,54 +123,49 @@ void for_patch_grids(std::span<const HermitePatch> patches, const GridPattern& p
 
 }  // namespace
 
-std::vector<HermitePatch> ball_patches(const SplineField& field, const BallCage& cage) {
+std::shared_ptr<const HermitePatchSet> ball_patches(const SplineField& field, const BallCage& cage) {
   std::vector<LevelCurvature> forms(cage.positions.size());
   parallel_for(forms.size(), 64, [&](std::size_t begin, std::size_t end) {
     for (std::size_t v = begin; v < end; ++v) forms[v] = level_curvature(field, cage.positions[v]);
   });
-  std::map<std::uint64_t, Index> numbers;  // by edge
-  std::vector<std::uint64_t> sides;
-  std::vector<std::array<Index, 4>> of_quad(cage.quads.size());
-  for (std::size_t q = 0; q < cage.quads.size(); ++q)
-    for (std::size_t i = 0; i < 4; ++i) {
-      const std::uint64_t side = edge_key(cage.quads[q][i], cage.quads[q][(i + 1) % 4]);
-      const auto [known, fresh] = numbers.try_emplace(side, Index(sides.size()));
-      if (fresh) sides.push_back(side);
-      of_quad[q][i] = known->second;
-    }
-  std::vector<Ribbon> ribbons(sides.size());
-  parallel_for(sides.size(), 64, [&](std::size_t begin, std::size_t end) {
+  const FaceSides sides = sides_of(cage.quads, cage.positions.size());
+  std::vector<Ribbon> ribbons(sides.ends.size());
+  std::vector<SideForms> forms_along(ribbons.size());
+  parallel_for(ribbons.size(), 64, [&](std::size_t begin, std::size_t end) {
     for (std::size_t s = begin; s < end; ++s) {
-      const auto [a, b] = ends_of_key(sides[s]);
+      const auto [a, b] = sides.ends[s];
       ribbons[s] = ribbon_between(field, cage.positions[a], forms[a], cage.positions[b], forms[b]);
+      for (std::size_t i = 0; i < bend_places.size(); ++i)
+        forms_along[s][i] = level_curvature(field, value_at(ribbons[s].curve, bend_places[i]));
     }
   });
-  const SideEvaluation bends = side_evaluation(bend_places);
   std::vector<HermitePatch> out(cage.quads.size());
   parallel_for(out.size(), 16, [&](std::size_t begin, std::size_t end) {
     for (std::size_t q = begin; q < end; ++q) {
       const auto& quad = cage.quads[q];
       std::array<Ribbon, 4> loop;
       std::array<Quintic, 4> curves, inwards;
+      std::array<SideForms, 4> along;
       for (std::size_t i = 0; i < 4; ++i) {
-        const Ribbon& ribbon = ribbons[of_quad[q][i]];
-        loop[i] = quad[i] < quad[(i + 1) % 4] ? ribbon : ribbon.turned();
+        const Index side = sides.of_face[q][i];
+        const bool onwards = quad[i] < quad[(i + 1) % 4];
+        loop[i] = onwards ? ribbons[side] : ribbons[side].turned();
+        along[i] = forms_along[side];
+        if (!onwards) std::swap(along[i].front(), along[i].back());
         curves[i] = loop[i].curve;
       }
       for (std::size_t i = 0; i < 4; ++i) {
         const Quintic &before = curves[(i + 3) % 4], &after = curves[(i + 1) % 4];
         inwards[i] = inward_field(loop[i], 5 * (before[4] - before[5]), 5 * (after[1] - after[0]));
       }
-      out[q] = HermitePatch::from_loop(curves, inwards);
-      set_bends(field, bends, out[q]);
+      out[q] = patch_between(curves, inwards, along);
     }
   });
-  return out;
+  return std::make_shared<const HermitePatchSet>(std::move(out));
 }
 
-std::vector<PatchFit> patch_fits(const SplineField& field, std::span<const HermitePatch> patches,
-                                 int intervals) {
-  std::vector<PatchFit> out(patches.size());
+std::vector<PatchFit> patch_fits(const SplineField& field, const HermitePatchSet& patches, int intervals) {
+  std::vector<PatchFit> out(patches.patch_count());
   for_patch_grids(patches, {Domain::square, intervals},
                   [&](std::size_t q, std::span<const Vector3> positions, std::span<const Vector3> normals) {
                     PatchFit& fit = out[q];
@@ -193,10 +182,9 @@ std::vector<PatchFit> patch_fits(const SplineField& field, std::span<const Hermi
   return out;
 }
 
-std::vector<PatchTurn> patch_turns(const SplineField& field, std::span<const HermitePatch> patches,
-                                   int intervals) {
+std::vector<PatchTurn> patch_turns(const SplineField& field, const HermitePatchSet& patches, int intervals) {
   const GridPattern pattern{Domain::square, intervals};
-  std::vector<PatchTurn> out(patches.size());
+  std::vector<PatchTurn> out(patches.patch_count());
   for_patch_grids(patches, pattern,
                   [&](std::size_t q, std::span<const Vector3> positions, std::span<const Vector3> normals) {
                     std::vector<Vector3> of_field(positions.size());
@@ -221,8 +209,8 @@ std::vector<PatchTurn> patch_turns(const SplineField& field, std::span<const Her
   return out;
 }
 
-Surface ball_surface(const SplineField& field, const BallCage& cage, std::vector<HermitePatch> patches,
-                     const Vector3& origin) {
+Surface ball_surface(const SplineField& field, const BallCage& cage,
+                     std::shared_ptr<const HermitePatchSet> patches, const Vector3& origin) {
   std::vector<ClosedPatch> places;
   for (Index q = 0; q < cage.quads.size(); ++q) {
     ClosedPatch place{cage.quads[q], {element_of(FaceId{q}), 0}, {}};
@@ -235,8 +223,7 @@ Surface ball_surface(const SplineField& field, const BallCage& cage, std::vector
     for (std::size_t v = begin; v < end; ++v)
       normals[v] = field.at(cage.positions[v]).gradient.stableNormalized();
   });
-  return closed_surface(origin, std::make_shared<const HermitePatchSet>(std::move(patches)), places,
-                        std::move(normals));
+  return closed_surface(origin, std::move(patches), places, std::move(normals));
 }
 
 }  // namespace hariko

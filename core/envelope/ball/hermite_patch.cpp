@@ -52,24 +52,36 @@ struct Direction {
         depth_back(turned(depth_at(1 - x))) {}
 };
 
-using Rails = gregory::Rails<Vector3>;
 using Corners = gregory::Corners<Vector3>;
 
-/// Adds one side's bend: `along` and `away` belong to different directions.
-void add_bend(const std::array<Vector3, 3>& bend, const Blend<3>& along, const Blend<1>& away, bool along_u,
-              Order order, PatchPoint& out) {
-  const auto at = [&](const std::array<double, 3>& w) -> Vector3 {
+/// Bend of a side at a place along it, with derivatives.
+struct BendAt {
+  Vector3 value, first, second;
+  BendAt(const std::array<Vector3, 3>& bend, const Blend<3>& along)
+      : value(at(bend, along.value)), first(at(bend, along.first)), second(at(bend, along.second)) {}
+
+ private:
+  static Vector3 at(const std::array<Vector3, 3>& bend, const std::array<double, 3>& w) {
     return w[0] * bend[0] + w[1] * bend[1] + w[2] * bend[2];
-  };
-  const Vector3 value = at(along.value), first = at(along.first);
-  out.position += away.value[0] * value;
-  (along_u ? out.ds : out.dt) += away.value[0] * first;
-  (along_u ? out.dt : out.ds) += away.first[0] * value;
+  }
+};
+
+/// Adds one side's bend: `along` and `away` belong to different directions.
+void add_bend(const BendAt& along, const Blend<1>& away, bool along_u, Order order, PatchPoint& out) {
+  out.position += away.value[0] * along.value;
+  (along_u ? out.ds : out.dt) += away.value[0] * along.first;
+  (along_u ? out.dt : out.ds) += away.first[0] * along.value;
   if (order != Order::second) return;
-  (along_u ? out.dss : out.dtt) += away.value[0] * at(along.second);
-  (along_u ? out.dtt : out.dss) += away.second[0] * value;
-  out.dst += away.first[0] * first;
+  (along_u ? out.dss : out.dtt) += away.value[0] * along.second;
+  (along_u ? out.dtt : out.dss) += away.second[0] * along.value;
+  out.dst += away.first[0] * along.first;
 }
+
+/// Part of a patch that all points with one u, or with one v, have in common.
+struct Line {
+  gregory::Rails<Vector3> rails;
+  std::array<BendAt, 2> bends;
+};
 
 /// Sets positions on sides from the side's curve alone.
 void set_side_position(const HermitePatch& p, const Direction& u, const Direction& v, PatchPoint& out) {
@@ -83,24 +95,32 @@ void set_side_position(const HermitePatch& p, const Direction& u, const Directio
     out.position = gregory::sum(v.quintic.value, p.e0);
 }
 
-PatchPoint point_at(const HermitePatch& p, const Corners& m, const Rails& across, const Rails& along,
-                    const Direction& u, const Direction& v, Order order) {
-  gregory::Jet<Vector3> jet = gregory::coons(m, across, along, u.hermite, v.hermite, order);
-  gregory::subtract_twists(m, u.t, u.hermite, v.t, v.hermite, order, jet);
+PatchPoint point_at(const HermitePatch& p, const Corners& m, const Line& across, const Line& along,
+                    const Direction& u, const Direction& v, const gregory::TwistFactors& twists,
+                    Order order) {
+  gregory::Jet<Vector3> jet = gregory::coons(across.rails, along.rails, u.hermite, v.hermite, order);
+  gregory::subtract_twists(m, twists, order, jet);
   PatchPoint out{jet.value, jet.u, jet.v, jet.uu, jet.uv, jet.vv};
-  add_bend(p.bend[0], u.bump, v.depth, true, order, out);
-  add_bend(p.bend[1], v.bump, u.depth_back, false, order, out);
-  add_bend(p.bend[2], u.bump_back, v.depth_back, true, order, out);
-  add_bend(p.bend[3], v.bump_back, u.depth, false, order, out);
+  add_bend(along.bends[0], v.depth, true, order, out);
+  add_bend(across.bends[0], u.depth_back, false, order, out);
+  add_bend(along.bends[1], v.depth_back, true, order, out);
+  add_bend(across.bends[1], u.depth, false, order, out);
   set_side_position(p, u, v, out);
   return out;
 }
 
-Rails rails_along(const HermitePatch& p, const Direction& u, Order order) {
-  return gregory::rails(p.c0, p.cross_c0, p.cross_c1, p.c1, u.quintic, u.quintic, order);
+Line line_along(const HermitePatch& p, const Direction& u, Order order) {
+  return {gregory::rails(p.c0, p.cross_c0, p.cross_c1, p.c1, u.quintic, u.quintic, order),
+          {BendAt(p.bend[0], u.bump), BendAt(p.bend[2], u.bump_back)}};
 }
-Rails rails_across(const HermitePatch& p, const Direction& v, Order order) {
-  return gregory::rails(p.e0, p.cross_e0, p.cross_e1, p.e1, v.quintic, v.quintic, order);
+Line line_across(const HermitePatch& p, const Corners& m, const Direction& v, Order order) {
+  const auto rails = gregory::rails(p.e0, p.cross_e0, p.cross_e1, p.e1, v.quintic, v.quintic, order);
+  return {gregory::row_at(m, rails, v.hermite, order),
+          {BendAt(p.bend[1], v.bump), BendAt(p.bend[3], v.bump_back)}};
+}
+
+gregory::TwistFactors twists_at(const Direction& u, const Direction& v) {
+  return gregory::twist_factors(u.t, u.hermite, v.t, v.hermite);
 }
 
 }  // namespace
@@ -135,41 +155,45 @@ HermitePatch HermitePatch::from_loop(const std::array<Quintic, 4>& sides,
   return out;
 }
 
-PatchPoint evaluate(const HermitePatch& patch, const Vector2& parameter, Order order) {
-  const Direction u(parameter.x()), v(parameter.y());
-  return point_at(patch, gregory::corners_of(patch), rails_across(patch, v, order),
-                  rails_along(patch, u, order), u, v, order);
-}
-
-SideEvaluation side_evaluation(std::span<const double> fractions) {
-  struct Bases {
-    Direction start{0.0}, end{1.0};
-    std::vector<Direction> onwards, backwards;  ///< at the fractions from either end
-  } made;
-  for (const double t : fractions) {
-    made.onwards.emplace_back(t);
-    made.backwards.emplace_back(1.0 - t);
-  }
-  return [at = std::move(made)](const HermitePatch& p, std::span<PatchPoint> points) {
-    const std::size_t n = at.onwards.size();
-    HARIKO_ASSERT(points.size() >= 4 * n, "output array is too small");
-    constexpr Order order = Order::second;
-    const Corners corners = gregory::corners_of(p);
-    const Rails across_start = rails_across(p, at.start, order), across_end = rails_across(p, at.end, order);
-    const Rails along_start = rails_along(p, at.start, order), along_end = rails_along(p, at.end, order);
-    for (std::size_t i = 0; i < n; ++i) {
-      const Direction &on = at.onwards[i], &back = at.backwards[i];
-      points[i] = point_at(p, corners, across_start, rails_along(p, on, order), on, at.start, order);
-      points[n + i] = point_at(p, corners, rails_across(p, on, order), along_end, at.end, on, order);
-      points[2 * n + i] = point_at(p, corners, across_end, rails_along(p, back, order), back, at.end, order);
-      points[3 * n + i] =
-          point_at(p, corners, rails_across(p, back, order), along_start, at.start, back, order);
-    }
+std::array<Vector3, 3> seconds_across(const HermitePatch& p) {
+  static const Direction start(0.0);
+  struct Place {
+    Direction u;
+    gregory::TwistFactors twists;
+    explicit Place(double t) : u(t), twists(twists_at(u, start)) {}
   };
+  static const std::array<Place, 3> places{Place(bend_places[0]), Place(bend_places[1]), Place(bend_places[2])};
+  const Corners m = gregory::corners_of(p);
+  const Line across = line_across(p, m, start, Order::second);
+  std::array<Vector3, 3> out;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto& [u, twists] = places[i];
+    const std::array<const Quintic*, 4> along{&p.c0, &p.cross_c0, &p.cross_c1, &p.c1};
+    out[i] = Vector3::Zero();
+    for (std::size_t k = 0; k < 4; ++k)
+      out[i] += u.hermite.value[k] * across.rails.second[k] +
+                start.hermite.second[k] * gregory::sum(u.quintic.value, *along[k]);
+    for (std::size_t a = 0; a < 2; ++a)
+      for (std::size_t b = 0; b < 2; ++b) out[i] -= twists.at[a][b].vv * m.share[a][b];
+  }
+  return out;
 }
 
-PatchPoint HermitePatchSet::evaluate(Index patch, const Vector2& parameter, Order order) const {
-  return hariko::evaluate(patches_[patch], parameter, order);
+std::array<Vector3, 3> bend_through(const std::array<Vector3, 3>& changes) {
+  std::array<Vector3, 3> at;
+  for (std::size_t i = 0; i < 3; ++i) at[i] = changes[i] / bump_at(bend_places[i]).value[0];
+  // Parabola through values at -1, 0, 1 of (t - 1/2) / 0.3.
+  const double scale = 1 / (bend_places[2] - bend_places[1]), shift = -bend_places[1] * scale;
+  const Vector3 c1 = 0.5 * (at[2] - at[0]), c2 = 0.5 * (at[2] + at[0]) - at[1];
+  return {at[1] + shift * c1 + shift * shift * c2, scale * c1 + 2 * scale * shift * c2, scale * scale * c2};
+}
+
+PatchPoint HermitePatchSet::evaluate(Index index, const Vector2& parameter, Order order) const {
+  const HermitePatch& patch = patches_[index];
+  const Corners corners = gregory::corners_of(patch);
+  const Direction u(parameter.x()), v(parameter.y());
+  return point_at(patch, corners, line_across(patch, corners, v, order), line_along(patch, u, order), u, v,
+                  twists_at(u, v), order);
 }
 
 void HermitePatchSet::for_grid(std::span<const Index> patches, const GridPattern& pattern, Order order,
@@ -178,15 +202,21 @@ void HermitePatchSet::for_grid(std::span<const Index> patches, const GridPattern
   const int n = pattern.density;
   std::vector<Direction> at;
   for (int i = 0; i <= n; ++i) at.emplace_back(grid_fraction(i, n));
-  std::vector<Rails> along(at.size());
+  std::vector<gregory::TwistFactors> twists;
+  for (const Direction& v : at)
+    for (const Direction& u : at) twists.push_back(twists_at(u, v));
+  std::vector<Line> along;
   for (const Index index : patches) {
     const HermitePatch& patch = patches_[index];
     const Corners corners = gregory::corners_of(patch);
-    for (std::size_t i = 0; i < at.size(); ++i) along[i] = rails_along(patch, at[i], order);
+    along.clear();
+    for (const Direction& u : at) along.push_back(line_along(patch, u, order));
+    auto twist = twists.begin();
     for (const Direction& v : at) {
-      const Rails across = rails_across(patch, v, order);
+      const Line across = line_across(patch, corners, v, order);
       for (std::size_t i = 0; i < at.size(); ++i)
-        each(index, Vector2(at[i].t, v.t), point_at(patch, corners, across, along[i], at[i], v, order));
+        each(index, Vector2(at[i].t, v.t),
+             point_at(patch, corners, across, along[i], at[i], v, *twist++, order));
     }
   }
 }

@@ -4,7 +4,6 @@
 // curvatures (docs/envelope.md).
 
 #include <array>
-#include <functional>
 #include <span>
 #include <vector>
 
@@ -51,13 +50,11 @@ class HermitePatchSet final : public gregory::GridPatchSet {
   std::vector<HermitePatch> patches_;
 };
 
-/// Evaluates a patch that is not part of a set.
-PatchPoint evaluate(const HermitePatch& patch, const Vector2& parameter, Order order);
-
-/// Evaluation of a patch, with second derivatives, at the same fractions of all four sides: points[n * side +
-/// i] is the one at fraction i of n, as `evaluate` gives it, bit for bit.
-using SideEvaluation = std::function<void(const HermitePatch& patch, std::span<PatchPoint> points)>;
-/// Computes the basis functions at the fractions, once for many patches.
-SideEvaluation side_evaluation(std::span<const double> fractions);
+/// Fractions of a side at which the second derivative across it is given.
+inline constexpr std::array<double, 3> bend_places{0.2, 0.5, 0.8};
+/// Second derivatives by v along the side v = 0 of a patch without bends, at these places.
+std::array<Vector3, 3> seconds_across(const HermitePatch& patch);
+/// Bend of a side that changes the second derivative across it by `changes` at these places.
+std::array<Vector3, 3> bend_through(const std::array<Vector3, 3>& changes);
 
 }  // namespace hariko

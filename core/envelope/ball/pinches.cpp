@@ -21,8 +21,9 @@ constexpr int most_newton_steps = 12;
 std::optional<Vector3> saddle_near(const SplineField& field, const Vector3& start, double sigma) {
   Vector3 at = start;
   for (int step = 0; step < most_newton_steps; ++step) {
-    const Vector3 slope = field.at(at).gradient;
-    const Matrix3 bend = field.hessian(at);
+    const BentFieldPoint here = field.bent_at(at);
+    const Vector3& slope = here.gradient;
+    const Matrix3& bend = here.hessian;
     const double volume = bend.determinant();
     if (slope.norm() < no_slope) {
       // Eigenvalues of one sign mean a maximum or minimum, where nothing opens.

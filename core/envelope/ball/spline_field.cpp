@@ -93,23 +93,29 @@ double SplineField::value(const Vector3& point) const {
   return along_x(Weights(share[0]).value, s.plain);
 }
 
+/// Value and gradient of a sum at a place along x.
+template <class Sum>
+static FieldPoint point_of(const Sum& s, const Weights& x, double spacing) {
+  return {along_x(x.value, s.plain),
+          Vector3(along_x(x.first, s.plain), along_x(x.value, s.dy), along_x(x.value, s.dz)) / spacing};
+}
+
 FieldPoint SplineField::at(const Vector3& point) const {
   std::array<double, 3> share;
   const auto s = sum<GradientSum>(point, share);
-  const Weights x(share[0]);
-  return {along_x(x.value, s.plain),
-          Vector3(along_x(x.first, s.plain), along_x(x.value, s.dy), along_x(x.value, s.dz)) / spacing_};
+  return point_of(s, Weights(share[0]), spacing_);
 }
 
-Matrix3 SplineField::hessian(const Vector3& point) const {
+BentFieldPoint SplineField::bent_at(const Vector3& point) const {
   std::array<double, 3> share;
   const auto s = sum<HessianSum>(point, share);
   const Weights x(share[0]);
+  BentFieldPoint out{point_of(s, x, spacing_)};
   const double xx = along_x(x.second, s.plain), yy = along_x(x.value, s.dyy), zz = along_x(x.value, s.dzz);
   const double xy = along_x(x.first, s.dy), yz = along_x(x.value, s.dyz), zx = along_x(x.first, s.dz);
-  Matrix3 out;
-  out << xx, xy, zx, xy, yy, yz, zx, yz, zz;
-  return out / (spacing_ * spacing_);
+  out.hessian << xx, xy, zx, xy, yy, yz, zx, yz, zz;
+  out.hessian /= spacing_ * spacing_;
+  return out;
 }
 
 void SplineField::lower(const Vector3& at, double by, double radius) {
@@ -151,10 +157,10 @@ void even_lattice(const std::array<int, 3>& size, std::size_t axis, std::vector<
 }
 
 LevelCurvature level_curvature(const SplineField& field, const Vector3& point) {
-  const Vector3 gradient = field.at(point).gradient;
-  const double slope = gradient.norm();
+  const BentFieldPoint at = field.bent_at(point);
+  const double slope = at.gradient.norm();
   if (!(slope > 0)) return {};
-  return {gradient / slope, field.hessian(point) / -slope, slope};
+  return {at.gradient / slope, at.hessian / -slope, slope};
 }
 
 Vector3 projected(const SplineField& field, Vector3 point, int steps, double longest) {

@@ -26,6 +26,11 @@ struct FieldPoint {
   Vector3 gradient = Vector3::Zero();
 };
 
+/// Also with second derivatives.
+struct BentFieldPoint : FieldPoint {
+  Matrix3 hessian = Matrix3::Zero();
+};
+
 /// Tricubic B-spline over a regular lattice of nodes.
 class SplineField {
  public:
@@ -38,7 +43,7 @@ class SplineField {
   /// Value at a point; outside the lattice the boundary values continue.
   double value(const Vector3& point) const;
   FieldPoint at(const Vector3& point) const;
-  Matrix3 hessian(const Vector3& point) const;
+  BentFieldPoint bent_at(const Vector3& point) const;
 
   /// Lowers the coefficients near a point, by `by` there, decreasing to zero at distance `radius`.
   void lower(const Vector3& at, double by, double radius);

@@ -47,8 +47,9 @@ struct PartFrame {
   Direction along_u(double s) const { return Direction(part.u0 + part.size * s); }
   Direction along_v(double t) const { return Direction(part.v0 + part.size * t); }
   Rails across_u(const Direction& v) const {
-    return gregory::rails(patch.e0, patch.cross_e0, patch.cross_e1, patch.e1, v.cubic, v.sextic,
-                          Order::second);
+    const Rails across = gregory::rails(patch.e0, patch.cross_e0, patch.cross_e1, patch.e1, v.cubic, v.sextic,
+                                        Order::second);
+    return gregory::row_at(corners, across, v.hermite, Order::second);
   }
   Rails across_v(const Direction& u) const {
     return gregory::rails(patch.c0, patch.cross_c0, patch.cross_c1, patch.c1, u.cubic, u.sextic,
@@ -57,8 +58,8 @@ struct PartFrame {
   /// Point at (s, t) of the part.
   PatchPoint point(double s, const Direction& u, const Rails& along, double t, const Direction& v,
                    const Rails& across, Order order) const {
-    gregory::Jet<Homogeneous> jet = gregory::coons(corners, across, along, u.hermite, v.hermite, order);
-    gregory::subtract_twists(corners, u.t, u.hermite, v.t, v.hermite, order, jet);
+    gregory::Jet<Homogeneous> jet = gregory::coons(across, along, u.hermite, v.hermite, order);
+    gregory::subtract_twists(corners, gregory::twist_factors(u.t, u.hermite, v.t, v.hermite), order, jet);
     PatchPoint out = cartesian_point(jet, part.size, order);
     // On outer sides from the curve alone, so that both patches give the same bits.
     const auto set = [&](std::size_t side, double x) {
