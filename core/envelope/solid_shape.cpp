@@ -324,22 +324,27 @@ SolidPlace SolidShape::cylinder_place(const Vector3& p) const {
 SolidPlace SolidShape::cone_place(const Vector3& p) const {
   const double low = -0.5 * half_.z(), high = 1.5 * half_.z();
   const Vector3 tip(0, 0, high);
-  const auto rim = [&](double a) { return Vector3(half_.x() * std::cos(a), half_.y() * std::sin(a), low); };
-  // Normal of the tangent plane along the line from the tip to the rim.
-  const auto normal = [&](double a) -> Vector3 {
-    return Vector3(std::cos(a) / half_.x(), std::sin(a) / half_.y(), 1 / (high - low)).normalized();
+  // Functions of a unit vector in the base's plane: a point of the rim, and the normal of the tangent plane
+  // along the line from the tip to it.
+  const auto rim = [&](const Vector2& d) { return Vector3(half_.x() * d.x(), half_.y() * d.y(), low); };
+  const auto normal = [&](const Vector2& d) -> Vector3 {
+    return Vector3(d.x() / half_.x(), d.y() / half_.y(), 1 / (high - low)).normalized();
+  };
+  const auto least = [](const auto& value) {
+    const auto at = [](double a) { return Vector2(std::cos(a), std::sin(a)); };
+    return at(least_angle([&](double a) { return value(at(a)); }));
   };
   const bool upright = half_.x() == half_.y();
-  const double round = std::atan2(p.y(), p.x());
-  const double steep = upright ? round : least_angle([&](double a) { return -normal(a).dot(p - tip); });
+  const double radius = p.head<2>().norm();
+  const Vector2 round = radius > 0 ? Vector2(p.head<2>() / radius) : Vector2(Vector2::UnitX());
+  const Vector2 steep = upright ? round : least([&](const Vector2& d) { return -normal(d).dot(p - tip); });
   const double side = normal(steep).dot(p - tip), base = low - p.z();
   if (side <= 0 && base <= 0)
     return side > base ? place_inside(p, side, normal(steep)) : place_inside(p, base, -Vector3::UnitZ());
-  const auto square_to_line = [&](double a) {
-    return (p - nearest_point_of_segment(p, rim(a), tip)).squaredNorm();
+  const auto square_to_line = [&](const Vector2& d) {
+    return (p - nearest_point_of_segment(p, rim(d), tip)).squaredNorm();
   };
-  const double at = upright ? round : least_angle(square_to_line);
-  Vector3 nearest = nearest_point_of_segment(p, rim(at), tip);
+  Vector3 nearest = nearest_point_of_segment(p, rim(upright ? round : least(square_to_line)), tip);
   if (base > 0) {
     const AxesPlace<2> edge = axes_place<2>(half_.head<2>(), p.head<2>());
     const Vector2 foot = edge.distance > 0 ? edge.nearest : Vector2(p.head<2>());

@@ -69,8 +69,12 @@ class Lattice {
   }
 
   SplineField make(LatticeReport& report) {
-    visit(2, [&](std::size_t at, const std::array<int, 3>& n) {
+    visit(4, [&](std::size_t at, const std::array<int, 3>& n) {
       if (!take_first(at, n)) evaluate_first(at, n);
+    });
+    visit(2, [&](std::size_t at, const std::array<int, 3>& n) {
+      if (state_[at] == State::open && !(is_steady(n, 4) && take_first(at, n)))
+        evaluate_first(at, n, nearest_centre(n, 4), true);
     });
     improve(2, memory_);
     find_pulled();
@@ -138,9 +142,10 @@ class Lattice {
   }
 
   /// Evaluates a node for the first time.
-  void evaluate_first(std::size_t at, const std::array<int, 3>& n, const Vector3* start = nullptr) {
+  void evaluate_first(std::size_t at, const std::array<int, 3>& n, const Vector3* start = nullptr,
+                      bool thorough = false) {
     ClosingReach reach;
-    const ClosedDistance found = balls_[ball_].at(point(n), start, memory_ ? &reach : nullptr);
+    const ClosedDistance found = balls_[ball_].at(point(n), start, memory_ ? &reach : nullptr, thorough);
     if (memory_) memory_->set_first(at, found, reach);
     nodes_[at] = found;
     state_[at] = State::known;
@@ -151,6 +156,13 @@ class Lattice {
   bool take_first(std::size_t at, const std::array<int, 3>& n) {
     if (!memory_ || !memory_->take_first(at, n)) return false;
     state_[at] = State::known;
+    return true;
+  }
+
+  /// Whether the nodes around a node in the lattice of every `step`th one have the values of the frame before.
+  bool is_steady(const std::array<int, 3>& n, int step) const {
+    for (std::size_t c = 0; memory_ && c < 8; ++c)
+      if (memory_->is_changed(index(coarse_node(n, c, step)))) return false;
     return true;
   }
 
@@ -199,7 +211,7 @@ class Lattice {
       return;
     }
     if (steady && take_first(at, n)) return;
-    evaluate_first(at, n, nearest_centre(n));
+    evaluate_first(at, n, nearest_centre(n, 2));
   }
 
   /// Mean of the coarse nodes around a node where these, which bound its value, exclude that it is needed.
@@ -222,12 +234,12 @@ class Lattice {
     return sum;
   }
 
-  /// Best centre for a node among those of the coarse nodes around it.
-  const Vector3* nearest_centre(const std::array<int, 3>& n) const {
+  /// Best centre for a node among those of the nodes around it in the lattice of every `step`th one.
+  const Vector3* nearest_centre(const std::array<int, 3>& n, int step) const {
     double best = -1e300;
     const Vector3* out = nullptr;
     for (std::size_t c = 0; c < 8; ++c) {
-      const std::array<int, 3> around = coarse_node(n, c, 2);
+      const std::array<int, 3> around = coarse_node(n, c, step);
       const ClosedDistance& beside = nodes_[index(around)];
       if (const double value = value_from(beside, around, n); value > best)
         best = value, out = &beside.centre;

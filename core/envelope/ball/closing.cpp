@@ -318,25 +318,29 @@ struct Closing::Search {
     return step.way + (far / std::max(stiffness, least_stiffness) - far) * along;
   }
 
-  /// Improves a nearly correct centre by steps in tangent planes.
-  void slide(Vector3 y) {
+  /// Improves a nearly correct centre by steps in tangent planes; true where they end.
+  bool slide(Vector3 y) {
     const double accuracy = closing.accuracy_;
     std::array<TangentPlane, most_planes> planes;
     double slack = 0.25 * closing.radius_;
     for (int round = 0; round < most_steps; ++round) {
       const std::span<const TangentPlane> near(planes.data(), planes_about(y, slack, planes));
       const std::optional<TangentStep> step = tangent_step(x - y, near, 0.1 * accuracy);
-      if (!step) return;
+      if (!step) return false;
       const Vector3 way = step->active == 2 ? rolled(y, *step, near) : step->way;
       y += way;
       slack = std::max(2 * way.norm(), accuracy);
-      if (way.norm() < accuracy) break;
+      if (way.norm() < accuracy) {
+        planes_about(y, 0, planes);
+        return true;
+      }
     }
     planes_about(y, 0, planes);
+    return false;
   }
 };
 
-ClosedDistance Closing::at(const Vector3& x, const Vector3* start, ClosingReach* reach) const {
+ClosedDistance Closing::at(const Vector3& x, const Vector3* start, ClosingReach* reach, bool thorough) const {
   const auto depends = [&](const ClosingReach& on) {
     if (reach) *reach = on;
   };
@@ -361,8 +365,8 @@ ClosedDistance Closing::at(const Vector3& x, const Vector3* start, ClosingReach*
   }
   Search search{*this, x};
   search.asked.include(x, nearest.distance);
-  if (start) search.slide(*start);
-  if (search.best.value <= no_value) search.run(y);
+  const bool ended = start && search.slide(*start);
+  if (search.best.value <= no_value || (thorough && !ended)) search.run(y);
   depends({search.asked.about, search.asked.reach, blocker});
   return search.best;
 }

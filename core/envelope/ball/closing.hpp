@@ -44,8 +44,10 @@ class Closing {
 
   double radius() const { return radius_; }
   /// Closing at x. `start`: the centre of a ball near the solution, from which it is then found by local
-  /// steps alone. `reach`, if not null: receives what the result depends on.
-  ClosedDistance at(const Vector3& x, const Vector3* start = nullptr, ClosingReach* reach = nullptr) const;
+  /// steps alone, or, if `thorough`, also without it where these do not end. `reach`, if not null: receives
+  /// what the result depends on.
+  ClosedDistance at(const Vector3& x, const Vector3* start = nullptr, ClosingReach* reach = nullptr,
+                    bool thorough = false) const;
   /// Returns the better of `known` and the result from another start. `reach` as above, `known` being given.
   ClosedDistance improved(const Vector3& x, const ClosedDistance& known, const Vector3& start,
                           ClosingReach* reach = nullptr) const;
