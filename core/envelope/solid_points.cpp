@@ -118,7 +118,9 @@ std::vector<SharpCurve> SolidShape::sharp_curves() const {
         }
       break;
     case Form::hull:
-      for (const auto& [a, b] : hull_->edges) line(a, b);
+      for (const Hull::Side& side : hull_->sides)
+        if (std::lexicographical_compare(side.a.begin(), side.a.end(), side.b.begin(), side.b.end()))
+          line(side.a, side.b);  // the other face has it the other way round
       break;
     case Form::cylinder:
       rim(-half_.z());

@@ -7,8 +7,8 @@
 #include <map>
 #include <numbers>
 
-#include "core/base/disjoint_sets.hpp"
 #include "core/base/equal_bits.hpp"
+#include "core/base/index_list.hpp"
 #include "core/envelope/ellipsoid_distance.hpp"
 #include "core/geometry/edge_key.hpp"
 #include "core/geometry/rotation.hpp"
@@ -19,7 +19,8 @@ namespace hariko {
 
 namespace {
 
-constexpr double flat = 1 - 1e-12;  ///< cosine of the largest angle between parts of one face
+/// Largest distance of a hull's vertices from its faces relative to its size.
+constexpr double hull_tolerance = 1e-9;
 
 /// Position relative to an outside point: `nearest` is the solid's nearest point, `normal` the direction used
 /// at distance 0.
@@ -65,14 +66,14 @@ double least_angle(const Function& value) {
 
 }  // namespace
 
-Vector3 SolidShape::Hull::Face::nearest(const Vector3& p, double height) const {
+Vector3 SolidShape::Hull::nearest(const Face& face, const Vector3& p, double height) const {
   // Only sides beyond which the point lies can hold the nearest point.
-  const std::array<const Vector3*, 3> corners{&a, &b, &c};
-  Vector3 best = p - height * normal;
+  Vector3 best = p - height * face.normal;
   double least = 1e300;
-  for (std::size_t i = 0; i < 3; ++i) {
-    if (inwards[i].dot(p - *corners[i]) >= 0) continue;
-    const Vector3 q = nearest_point_of_segment(p, *corners[i], *corners[(i + 1) % 3]);
+  for (std::size_t i = face.first_side; i < face.end_of_sides; ++i) {
+    const Side& side = sides[i];
+    if (side.inwards.dot(p - side.a) >= 0) continue;
+    const Vector3 q = nearest_point_of_segment(p, side.a, side.b);
     if (const double square = (p - q).squaredNorm(); square < least) least = square, best = q;
   }
   return best;
@@ -166,53 +167,59 @@ void SolidShape::make_hull(std::span<const Vector3> points) {
   form_ = Form::hull;
   double size = 0;
   for (const Vector3& p : points) size = std::max(size, p.norm());
-  const TolerantHull hull = tolerant_hull(points, 1e-9 * size);
+  const TolerantHull hull = tolerant_hull(points, hull_tolerance * size);
   auto made = std::make_shared<Hull>();
-  std::map<std::uint64_t, Index> faces;  // by edge
-  std::vector<std::array<Index, 2>> coplanar;
-  for (const auto& t : hull.triangles) {
-    Hull::Face face{points[t[0]], points[t[1]], points[t[2]], {}, 0, {}};
-    face.normal = (face.b - face.a).cross(face.c - face.a).stableNormalized();
-    face.offset = face.normal.dot(face.a);
-    for (std::size_t i = 0; i < 3; ++i)
-      face.inwards[i] = face.normal.cross(points[t[(i + 1) % 3]] - points[t[i]]);
-    made->faces.push_back(face);
-    for (std::size_t i = 0; i < 3; ++i) {
-      const std::uint64_t edge = edge_key(t[i], t[(i + 1) % 3]);
-      const Index here = Index(made->faces.size() - 1);
-      const auto [other, fresh] = faces.try_emplace(edge, here);
-      if (fresh) continue;
-      const auto [low, high] = ends_of_key(edge);
-      if (made->faces[other->second].normal.dot(face.normal) < flat)
-        made->edges.push_back({points[low], points[high]});
-      else
-        coplanar.push_back({other->second, here});
-    }
-  }
-  reach_ = 0;
   for (const Index v : hull.vertices) {
-    reach_ = std::max(reach_, points[v].norm());
     made->middle += points[v] / double(hull.vertices.size());
     extremes_.push_back(points[v]);
+    reach_ = std::max(reach_, points[v].norm());
+  }
+  const auto& triangles = hull.triangles;
+  std::map<std::uint64_t, Index> beyond;  // triangles by the half-edges of their neighbours
+  std::vector<Vector3> areas;
+  for (Index t = 0; t < triangles.size(); ++t) {
+    const auto& [a, b, c] = triangles[t];
+    areas.push_back((points[b] - points[a]).cross(points[c] - points[a]));
+    beyond[half_edge_key(b, a)] = beyond[half_edge_key(c, b)] = beyond[half_edge_key(a, c)] = t;
+  }
+  // Faces grow from their largest triangles to those that lie in the plane of these.
+  std::vector<Index> face_of(triangles.size(), no_index);
+  for (const Index largest :
+       stable_order(triangles.size(), [&](Index a, Index b) { return areas[a].norm() > areas[b].norm(); })) {
+    if (face_of[largest] != no_index) continue;
+    const auto number = Index(made->faces.size());
+    Hull::Face face{areas[largest].stableNormalized(), 0, made->sides.size(), 0};
+    face.offset = face.normal.dot(points[triangles[largest][0]]);
+    const auto is_in_plane = [&](Index v) {
+      return std::abs(face.normal.dot(points[v]) - face.offset) <= hull_tolerance * size;
+    };
+    Vector3 sum = Vector3::Zero();
+    double area = 0;
+    face_of[largest] = number;
+    std::vector<Index> found{largest};
+    std::vector<std::array<Index, 3>> ends;  // of sides, and the triangles beyond
+    for (std::size_t k = 0; k < found.size(); ++k) {
+      const auto& t = triangles[found[k]];
+      const double own = areas[found[k]].norm();
+      sum += own / 3 * (points[t[0]] + points[t[1]] + points[t[2]]);
+      area += own;
+      for (std::size_t i = 0; i < 3; ++i) {
+        const Index a = t[i], b = t[(i + 1) % 3], next = beyond.at(half_edge_key(a, b));
+        if (face_of[next] == no_index && std::ranges::all_of(triangles[next], is_in_plane)) {
+          face_of[next] = number;
+          found.push_back(next);
+        }
+        ends.push_back({a, b, next});
+      }
+    }
+    for (const auto& [a, b, next] : ends)
+      if (face_of[next] != number)
+        made->sides.push_back({points[a], points[b], face.normal.cross(points[b] - points[a])});
+    face.end_of_sides = made->sides.size();
+    made->faces.push_back(face);
+    if (area > 0) face_middles_.push_back(sum / area);
   }
   hull_ = std::move(made);
-  find_face_middles(coplanar);
-}
-
-/// Finds the centres of flat faces. `coplanar`: neighbouring triangles in one plane.
-void SolidShape::find_face_middles(std::span<const std::array<Index, 2>> coplanar) {
-  const std::vector<Hull::Face>& faces = hull_->faces;
-  DisjointSets whole(faces.size());
-  for (const auto& [a, b] : coplanar) whole.join(a, b);
-  std::vector<Vector3> sum(faces.size(), Vector3::Zero());
-  std::vector<double> area(faces.size(), 0);
-  for (Index f = 0; f < faces.size(); ++f) {
-    const double own = (faces[f].b - faces[f].a).cross(faces[f].c - faces[f].a).norm();
-    sum[whole.find(f)] += own / 3 * (faces[f].a + faces[f].b + faces[f].c);
-    area[whole.find(f)] += own;
-  }
-  for (Index f = 0; f < faces.size(); ++f)
-    if (area[f] > 0) face_middles_.push_back(sum[f] / area[f]);
 }
 
 Vector3 SolidShape::middle() const {
@@ -292,7 +299,7 @@ SolidPlace SolidShape::own_place(const Vector3& p) const {
   for (const Hull::Face& face : hull_->faces)
     if (const double h = face.normal.dot(p) - face.offset; h > height) height = h, top = &face;
   if (height <= 0) return place_inside(p, height, top->normal);
-  Vector3 nearest = top->nearest(p, height);
+  Vector3 nearest = hull_->nearest(*top, p, height);
   double square = (p - nearest).squaredNorm();
   // Directly below the highest plane there is nothing nearer. Triangles of one face may differ by rounding in
   // the side on which the point lies.
@@ -301,7 +308,7 @@ SolidPlace SolidShape::own_place(const Vector3& p) const {
     for (const Hull::Face& face : hull_->faces) {
       const double h = face.normal.dot(p) - face.offset;
       if (h < -rounding || (h > 0 && h * h >= square) || &face == top) continue;
-      const Vector3 q = face.nearest(p, h);
+      const Vector3 q = hull_->nearest(face, p, h);
       if (const double s = (p - q).squaredNorm(); s < square) square = s, nearest = q;
     }
   return place_outside(p, nearest, top->normal);

@@ -83,7 +83,6 @@ class SolidShape {
 
   void make(const Solid& solid);
   void make_hull(std::span<const Vector3> points);
-  void find_face_middles(std::span<const std::array<Index, 2>> coplanar);
   void add_rim(double height);
   Vector3 half_extent() const;  ///< in the solid's own axes, of forms that are round about their centre
   /// Whether the ellipsoid that makes a capsule or a torus is a ball.
@@ -110,16 +109,21 @@ class SolidShape {
 /// Convex hull of a polyhedron, with planes: a point is inside where its height over every plane is at most
 /// 0.
 struct SolidShape::Hull {
+  /// Side of a face, from a to b; `inwards` is its normal in the face's plane.
+  struct Side {
+    Vector3 a, b, inwards;
+  };
   struct Face {
-    Vector3 a, b, c, normal;
+    Vector3 normal;
     double offset;
-    std::array<Vector3, 3> inwards;  ///< normals of the sides ab, bc, ca in the face's plane
-    /// Nearest point of the face to a point at this height over its plane.
-    Vector3 nearest(const Vector3& point, double height) const;
+    std::size_t first_side, end_of_sides;
   };
   std::vector<Face> faces;
-  std::vector<std::array<Vector3, 2>> edges;  ///< ends of edges at which faces meet at an angle
-  Vector3 middle = Vector3::Zero();           ///< an inner point
+  std::vector<Side> sides;  ///< of the first face, of the second ...
+  Vector3 middle = Vector3::Zero();  ///< an inner point
+
+  /// Nearest point of a face to a point at this height over its plane.
+  Vector3 nearest(const Face& face, const Vector3& point, double height) const;
 };
 
 }  // namespace hariko

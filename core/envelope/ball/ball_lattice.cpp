@@ -216,20 +216,21 @@ class Lattice {
 
   /// Mean of the coarse nodes around a node where these, which bound its value, exclude that it is needed.
   std::optional<double> mean_outside_band(std::size_t at, const std::array<int, 3>& n) const {
-    const double way = spacing_ * std::sqrt(double((n[0] & 1) + (n[1] & 1) + (n[2] & 1)));
     // Ways to the coarse nodes in the numbers of nodes, there and back.
     const std::ptrdiff_t x = n[0] & 1, y = (n[1] & 1) * size_[0], z = (n[2] & 1) * size_[0] * size_[1];
-    double sum = 0, low = -1e300, high = 1e300;
+    double sum = 0, least = 1e300, most = -1e300;
     for (int c = 0; c < 8; ++c) {
       const auto m = at + std::size_t((c & 1 ? x : -x) + (c & 2 ? y : -y) + (c & 4 ? z : -z));
       const double value = nodes_[m].value;
       sum += value / 8;
-      low = std::max(low, (least_.empty() ? value : least_[m]) - way);
-      high = std::min(high, (most_.empty() ? value : most_[m]) + way);
+      most = std::max(most, least_.empty() ? value : least_[m]);
+      least = std::min(least, most_.empty() ? value : most_[m]);
     }
     const bool in_slot = !slots_.empty() && slots_[at] > 0;
+    const double way = spacing_ * std::sqrt(double((n[0] & 1) + (n[1] & 1) + (n[2] & 1)));
     const auto [inwards, outwards] = pulled_by(n);
-    if (in_slot || (high + inwards > deepest * request_.sigma && low - outwards < highest * request_.sigma))
+    if (in_slot || (least + way + inwards > deepest * request_.sigma &&
+                    most - way - outwards < highest * request_.sigma))
       return {};
     return sum;
   }
