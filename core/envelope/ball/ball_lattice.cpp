@@ -70,10 +70,10 @@ class Lattice {
 
   SplineField make(LatticeReport& report) {
     visit(4, [&](std::size_t at, const std::array<int, 3>& n) {
-      if (!take_first(at, n)) evaluate_first(at, n);
+      if (!take_first(at)) evaluate_first(at, n);
     });
     visit(2, [&](std::size_t at, const std::array<int, 3>& n) {
-      if (state_[at] == State::open && !(is_steady(n, 4) && take_first(at, n)))
+      if (state_[at] == State::open && !(is_steady(n, 4) && take_first(at)))
         evaluate_first(at, n, nearest_centre(n, 4), true);
     });
     improve(2, memory_);
@@ -81,7 +81,9 @@ class Lattice {
     find_slots();
     look_at_own_balls();
     if (memory_) memory_->find_steady_cells(slots_.empty() && request_.pulls.empty());
-    refine_all();
+    visit(1, [&](std::size_t at, const std::array<int, 3>& n) {
+      if (state_[at] == State::open) refine(at, n);
+    });
     improve(1, memory_);
     if (memory_ && !cancel_.cancelled()) memory_->end();
     std::vector<double> values(nodes_.size());
@@ -109,21 +111,16 @@ class Lattice {
 
   std::size_t slices(int step) const { return std::size_t((size_[2] - 1) / step + 1); }
 
-  /// Visits every `step`th slice, in parallel.
-  template <class Each>
-  void visit_slices(int step, const Each& each) const {
-    parallel_for(slices(step), 1, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t slice = begin; slice < end && !cancel_.cancelled(); ++slice) each(int(slice) * step);
-    });
-  }
-
   /// Visits every `step`th node, slices in parallel.
   template <class Each>
   void visit(int step, const Each& each) const {
-    visit_slices(step, [&](int k) {
-      for (int j = 0; j < size_[1]; j += step)
-        for (int i = 0; i < size_[0]; i += step)
-          each(node_index(size_, i, j, k), std::array<int, 3>{i, j, k});
+    parallel_for(slices(step), 1, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t slice = begin; slice < end && !cancel_.cancelled(); ++slice)
+        for (int j = 0; j < size_[1]; j += step)
+          for (int i = 0; i < size_[0]; i += step) {
+            const std::array<int, 3> n{i, j, int(slice) * step};
+            each(index(n), n);
+          }
     });
   }
 
@@ -153,8 +150,8 @@ class Lattice {
 
   /// Takes a node's first value from the frame before; false where it may be another one. Where there is a
   /// start, it must be that of the frame before.
-  bool take_first(std::size_t at, const std::array<int, 3>& n) {
-    if (!memory_ || !memory_->take_first(at, n)) return false;
+  bool take_first(std::size_t at) {
+    if (!memory_ || !memory_->take_first(at)) return false;
     state_[at] = State::known;
     return true;
   }
@@ -181,25 +178,7 @@ class Lattice {
     return out;
   }
 
-  /// Finds the nodes between every second one.
-  void refine_all() {
-    visit_slices(1, [&](int k) {
-      for (int j = 0; j < size_[1]; ++j)
-        for (int i = 0; i < size_[0]; i += node_block) {
-          const bool kept = memory_ && memory_->is_kept({i, j, k});
-          for (int x = i; x < std::min(i + node_block, size_[0]); ++x) {
-            const std::size_t at = node_index(size_, x, j, k);
-            if (state_[at] != State::open) continue;
-            if (kept)
-              state_[at] = memory_->take_kept(at) ? State::known : State::between;
-            else
-              refine(at, {x, j, k});
-          }
-        }
-    });
-  }
-
-  /// Refines a node from the coarse nodes around it.
+  /// Finds a node from those around it in the lattice of every second one.
   void refine(std::size_t at, const std::array<int, 3>& n) {
     const bool steady = memory_ && memory_->is_steady(n);
     const bool known_band = steady && memory_->is_plain();
@@ -210,7 +189,7 @@ class Lattice {
       if (memory_ && !known_band) memory_->set_mean(at);
       return;
     }
-    if (steady && take_first(at, n)) return;
+    if (steady && take_first(at)) return;
     evaluate_first(at, n, nearest_centre(n, 2));
   }
 

@@ -1,7 +1,5 @@
 #include "core/envelope/ball/closing_memory.hpp"
 
-#include "core/base/parallel.hpp"
-
 namespace hariko {
 
 namespace {
@@ -12,7 +10,7 @@ constexpr double reach_margin = 1e-4;
 /// Largest shift of a lattice's box, in nodes, over which results are kept.
 constexpr double farthest_shift = 1e6;
 
-/// Numbers of every `step`th node along the axes, each of which begins a block of this edge.
+/// Numbers of every `step`th node along the axes.
 std::array<int, 3> nodes_at_steps(const std::array<int, 3>& size, int step) {
   return {(size[0] - 1) / step + 1, (size[1] - 1) / step + 1, (size[2] - 1) / step + 1};
 }
@@ -34,21 +32,6 @@ std::vector<Value> in_other_box(const std::vector<Value>& from, const std::array
       std::copy_n(from.data() + node_index(old_size, first[0], j, k), last[0] - first[0],
                   out.data() + node_index(size, first[0] + shift[0], j + shift[1], k + shift[2]));
   return out;
-}
-
-/// Calls each(node) for the nodes of a block.
-template <class Each>
-void for_block_nodes(const std::array<int, 3>& size, std::size_t block, const Each& each) {
-  const std::array<int, 3> count = nodes_at_steps(size, node_block);
-  std::array<int, 3> low{}, high{};
-  for (std::size_t a = 0; a < 3; ++a) {
-    low[a] = node_block * int(block % std::size_t(count[a]));
-    high[a] = std::min(low[a] + node_block, size[a]);
-    block /= std::size_t(count[a]);
-  }
-  for (int k = low[2]; k < high[2]; ++k)
-    for (int j = low[1]; j < high[1]; ++j)
-      for (int i = low[0]; i < high[0]; ++i) each(node_index(size, i, j, k));
 }
 
 }  // namespace
@@ -88,7 +71,6 @@ void ClosingMemory::begin(const GrownUnion& solids, const ClosingFrame& frame) {
     nodes_.assign(node_count(frame.size), ClosedDistance{});
     first_.assign(nodes_.size(), First{});
     evaluated_.assign(nodes_.size(), 0);
-    blocks_.clear();
     slots_.clear();
     was_plain_ = false;
     end_moved_ = {};
@@ -98,13 +80,9 @@ void ClosingMemory::begin(const GrownUnion& solids, const ClosingFrame& frame) {
   solids_ = &solids;
   changed_.assign(nodes_.size(), 0);
   searched_.assign(nodes_.size(), 0);
-  if (blocks_.empty()) find_blocks();
-  holding_.clear();
-  for (const Block& block : blocks_) holding_.push_back(holds(block));
 }
 
 void ClosingMemory::end() {
-  find_blocks();
   before_ = *solids_;
   solids_ = nullptr;
   ended_ = true;
@@ -121,7 +99,6 @@ void ClosingMemory::move_to(const ClosingFrame& frame) {
     nodes_ = in_other_box(nodes_, old_size, frame.size, shift);
     first_ = in_other_box(first_, old_size, frame.size, shift);
     evaluated_ = in_other_box(evaluated_, old_size, frame.size, shift);
-    blocks_.clear();
     if (!slots_.empty()) {
       std::array<int, 3> steps = shift;
       for (int& step : steps) step /= slot_step;
@@ -163,46 +140,11 @@ bool ClosingMemory::holds(const ClosingReach& reach) const {
   });
 }
 
-bool ClosingMemory::holds(const Block& block) const {
-  return holds(block.reach) &&
-         std::ranges::none_of(moved_, [&](Index i) { return (block.blockers >> (i % 64) & 1) != 0; });
-}
-
 /// Part of space that a node's first value depends on, if it was searched for.
 ClosingReach ClosingMemory::reach_of(std::size_t node) const {
   const ClosedDistance& at = nodes_[node];
   if (at.crease) return first_[node].reach;
   return {at.centre, std::max(at.value, frame_.radius), no_index};
-}
-
-ClosingMemory::Block ClosingMemory::block_of_nodes(std::size_t number) const {
-  Block out;
-  for_block_nodes(frame_.size, number, [&](std::size_t node) {
-    if (evaluated_[node] == 0) return;
-    const ClosingReach own = reach_of(node);
-    out.reach.include(own.about, own.reach);
-    if (own.blocker != no_index) out.blockers |= std::uint64_t(1) << (own.blocker % 64);
-  });
-  return out;
-}
-
-/// Takes the results together of blocks with new first values, or of all blocks where none is known. A block
-/// keeps its reach where nodes are no longer searched for: it is larger than needed then.
-void ClosingMemory::find_blocks() {
-  const bool all = blocks_.empty();
-  blocks_.resize(node_count(nodes_at_steps(frame_.size, node_block)));
-  parallel_for(blocks_.size(), 8, [&](std::size_t from, std::size_t to) {
-    for (std::size_t b = from; b < to; ++b) {
-      bool is_new = all;
-      for_block_nodes(frame_.size, b, [&](std::size_t node) { is_new = is_new || searched_[node] != 0; });
-      if (is_new) blocks_[b] = block_of_nodes(b);
-    }
-  });
-}
-
-std::size_t ClosingMemory::block_at(const std::array<int, 3>& n) const {
-  return node_index(nodes_at_steps(frame_.size, node_block), n[0] / node_block, n[1] / node_block,
-                    n[2] / node_block);
 }
 
 bool ClosingMemory::is_changed_about(const std::array<int, 3>& n, int step) const {
@@ -226,12 +168,8 @@ bool ClosingMemory::is_changed_about(const std::array<int, 3>& n, int step) cons
   return false;
 }
 
-bool ClosingMemory::take_first(std::size_t node, const std::array<int, 3>& n) {
-  return evaluated_[node] != 0 && (holding_[block_at(n)] != 0 || holds(reach_of(node))) && take_kept(node);
-}
-
-bool ClosingMemory::take_kept(std::size_t node) {
-  if (evaluated_[node] == 0) return false;
+bool ClosingMemory::take_first(std::size_t node) {
+  if (evaluated_[node] == 0 || !holds(reach_of(node))) return false;
   if (nodes_[node].crease) nodes_[node] = first_[node].value;
   return true;
 }
@@ -266,24 +204,6 @@ void ClosingMemory::find_steady_cells(bool plain) {
         for (int c = 0; c < 8 && same; ++c)
           same = !is_changed_at(i + 2 * (c & 1), j + (c & 2), k + (c >> 2) * 2);
         steady_[at++] = same;
-      }
-  find_kept_blocks();
-}
-
-void ClosingMemory::find_kept_blocks() {
-  kept_.assign(blocks_.size(), 0);
-  if (!is_plain()) return;
-  kept_ = holding_;
-  // The last node along an axis belongs to the last cell, and may begin a block.
-  const auto last_node = [&](std::size_t a, int c) { return c + 1 == cells_[a] ? 2 * c + 2 : 2 * c; };
-  std::size_t at = 0;
-  for (int k = 0; k < cells_[2]; ++k)
-    for (int j = 0; j < cells_[1]; ++j)
-      for (int i = 0; i < cells_[0]; ++i) {
-        if (steady_[at++] != 0) continue;
-        for (const int z : {2 * k, last_node(2, k)})
-          for (const int y : {2 * j, last_node(1, j)})
-            for (const int x : {2 * i, last_node(0, i)}) kept_[block_at({x, y, z})] = 0;
       }
 }
 

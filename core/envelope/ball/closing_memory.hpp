@@ -14,8 +14,6 @@ namespace hariko {
 
 /// Nodes are tested for slots at every fourth one along each axis.
 inline constexpr int slot_step = 4;
-/// Edge of the blocks of nodes that are looked at together, in nodes.
-inline constexpr int node_block = 8;
 
 /// Ball and lattice of a frame. Nodes lie at multiples of the spacing from the object's origin; x runs
 /// fastest.
@@ -73,7 +71,7 @@ class ClosingMemory {
   bool is_changed_about(const std::array<int, 3>& n, int step) const;
 
   /// Puts a node's first value there where it holds; false where it has to be found.
-  bool take_first(std::size_t node, const std::array<int, 3>& n);
+  bool take_first(std::size_t node);
   /// Notes a first value that was searched for, before it is put there.
   void set_first(std::size_t node, const ClosedDistance& value, const ClosingReach& reach);
   /// Value of a node without a search; nothing if there was one in the frame before.
@@ -81,8 +79,8 @@ class ClosingMemory {
   /// Notes that the node gets a value without a search.
   void set_mean(std::size_t node);
 
-  /// Finds the cells between every second node whose corners all have the values of the frame before, and the
-  /// blocks that are kept. `plain`: whether values alone tell which nodes are searched for.
+  /// Finds the cells between every second node whose corners all have the values of the frame before. `plain`:
+  /// whether values alone tell which nodes are searched for.
   void find_steady_cells(bool plain);
   /// Whether the cell about a node is one of these.
   bool is_steady(const std::array<int, 3>& n) const {
@@ -91,11 +89,6 @@ class ClosingMemory {
   }
   /// Whether values alone tell which nodes are searched for, and did in the frame before.
   bool is_plain() const { return plain_ && was_plain_; }
-  /// Whether the block about a node is kept: its first values hold, its cells are steady, and values alone
-  /// tell which nodes are searched for.
-  bool is_kept(const std::array<int, 3>& n) const { return kept_[block_at(n)] != 0; }
-  /// Puts the first value of a kept block's node there; false where the node's value is one without a search.
-  bool take_kept(std::size_t node);
 
   /// Begins the tests for slots.
   void begin_slots();
@@ -115,21 +108,10 @@ class ClosingMemory {
     ClosedDistance value;
     ClosingReach reach;
   };
-  /// Results of a block's nodes, taken together.
-  struct Block {
-    ClosingReach reach;          ///< ball that holds the reaches of all
-    std::uint64_t blockers = 0;  ///< bits: their blockers' numbers, modulo 64
-  };
-
   bool goes_on_from_before(const GrownUnion& solids, const ClosingFrame& frame) const;
   void move_to(const ClosingFrame& frame);
   void move_sweep(Sweep& sweep, const std::array<int, 3>& shift, const ClosingFrame& frame) const;
   ClosingReach reach_of(std::size_t node) const;
-  Block block_of_nodes(std::size_t number) const;
-  void find_blocks();
-  bool holds(const Block& block) const;
-  std::size_t block_at(const std::array<int, 3>& n) const;
-  void find_kept_blocks();
   bool is_changed_at(int i, int j, int k) const { return changed_[node_index(frame_.size, i, j, k)] != 0; }
 
   ClosingFrame frame_;
@@ -143,8 +125,6 @@ class ClosingMemory {
   std::vector<First> first_;              ///< per node; without meaning at nodes that are not at a crease
   std::vector<char> evaluated_;           ///< per node: its value comes from a search, of any frame
   std::vector<char> changed_, searched_;  ///< per node: in this frame
-  std::vector<Block> blocks_;             ///< first values of the frame before; empty where none are known
-  std::vector<char> holding_, kept_;      ///< per block: its first values hold; see `is_kept`
   std::array<int, 3> cells_{};            ///< numbers of cells between every second node
   std::vector<char> steady_;              ///< per cell
   bool plain_ = false, was_plain_ = false;
