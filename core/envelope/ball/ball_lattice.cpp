@@ -133,8 +133,11 @@ class Lattice {
     return out;
   }
 
-  void evaluate(std::size_t at, const std::array<int, 3>& n) {
-    nodes_[at] = balls_[ball_].at(point(n));
+  /// Evaluates a node for another ball than the usual one, whose centre leads to that of the other.
+  void evaluate(std::size_t at, const std::array<int, 3>& n, const ClosedDistance& usual) {
+    const Closing& ball = balls_[ball_];
+    const Vector3 x = point(n), start = x + ball.radius() / request_.radius * (usual.centre - x);
+    nodes_[at] = ball.at(x, &start, nullptr, true);
     state_[at] = State::known;
   }
 
@@ -351,7 +354,7 @@ class Lattice {
     for (ball_ = 0; ball_ < slot_factors.size(); ++ball_) {
       if (ball_ == usual_ball) continue;
       visit(1, [&](std::size_t at, const std::array<int, 3>& n) {
-        if (slots_[at] > 0) evaluate(at, n);
+        if (slots_[at] > 0) evaluate(at, n, usual[at]);
       });
       improve(1);
       for (std::size_t i = 0; i < values.size(); ++i)
@@ -367,7 +370,7 @@ class Lattice {
     const std::vector<ClosedDistance> usual = nodes_;
     for (const ClosedDistance& node : usual) least_.push_back(node.value), most_.push_back(node.value);
     for (ball_ = slot_factors.size(); ball_ < balls_.size(); ++ball_) {
-      visit(2, [&](std::size_t at, const std::array<int, 3>& n) { evaluate(at, n); });
+      visit(2, [&](std::size_t at, const std::array<int, 3>& n) { evaluate(at, n, usual[at]); });
       improve(2);
       for (std::size_t i = 0; i < usual.size(); ++i) {
         least_[i] = std::min(least_[i], nodes_[i].value);
@@ -418,7 +421,7 @@ class Lattice {
           if (!(shares[i] > 0)) state_[i] = State::between;
       }
       visit(1, [&](std::size_t at, const std::array<int, 3>& n) {
-        if (state_[at] == State::known) evaluate(at, n);
+        if (state_[at] == State::known) evaluate(at, n, usual[at]);
       });
       improve(1);
       if (larger) find_shares(nodes_);
