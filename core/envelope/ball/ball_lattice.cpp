@@ -184,12 +184,16 @@ class Lattice {
   /// Finds a node from those around it in the lattice of every second one.
   void refine(std::size_t at, const std::array<int, 3>& n) {
     const bool steady = memory_ && memory_->is_steady(n);
-    const bool known_band = steady && memory_->is_plain();
-    const std::optional<double> mean = known_band ? memory_->mean(at) : mean_outside_band(at, n);
-    if (mean) {
+    if (steady && memory_->is_plain()) {
+      // Its value is there, if it is a mean.
+      if (memory_->has_mean(at)) {
+        state_[at] = State::between;
+        return;
+      }
+    } else if (const std::optional<double> mean = mean_outside_band(at, n)) {
       nodes_[at].value = *mean;
       state_[at] = State::between;
-      if (memory_ && !known_band) memory_->set_mean(at);
+      if (memory_) memory_->set_mean(at);
       return;
     }
     if (steady && take_first(at)) return;

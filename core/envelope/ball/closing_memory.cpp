@@ -181,10 +181,6 @@ void ClosingMemory::set_first(std::size_t node, const ClosedDistance& value, con
   if (value.crease) first_[node] = {value, reach};
 }
 
-std::optional<double> ClosingMemory::mean(std::size_t node) const {
-  return evaluated_[node] != 0 ? std::nullopt : std::optional(nodes_[node].value);
-}
-
 void ClosingMemory::set_mean(std::size_t node) {
   // Other nodes do not look at means.
   changed_[node] = evaluated_[node];

@@ -74,8 +74,8 @@ class ClosingMemory {
   bool take_first(std::size_t node);
   /// Notes a first value that was searched for, before it is put there.
   void set_first(std::size_t node, const ClosedDistance& value, const ClosingReach& reach);
-  /// Value of a node without a search; nothing if there was one in the frame before.
-  std::optional<double> mean(std::size_t node) const;
+  /// Whether the node's value came without a search in the frame before.
+  bool has_mean(std::size_t node) const { return evaluated_[node] == 0; }
   /// Notes that the node gets a value without a search.
   void set_mean(std::size_t node);
 

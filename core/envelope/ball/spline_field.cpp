@@ -10,11 +10,11 @@ namespace {
 struct Weights {
   double value[4], first[4], second[4];
   explicit Weights(double x) {
-    const double y = 1 - x;
-    value[0] = y * y * y / 6, value[3] = x * x * x / 6;
-    value[1] = (4 - 6 * x * x + 3 * x * x * x) / 6, value[2] = (4 - 6 * y * y + 3 * y * y * y) / 6;
-    first[0] = -y * y / 2, first[3] = x * x / 2;
-    first[1] = -2 * x + 1.5 * x * x, first[2] = 2 * y - 1.5 * y * y;
+    const double y = 1 - x, xx = x * x, yy = y * y;
+    value[0] = y * yy * (1.0 / 6), value[3] = x * xx * (1.0 / 6);
+    value[1] = 2.0 / 3 + xx * (0.5 * x - 1), value[2] = 2.0 / 3 + yy * (0.5 * y - 1);
+    first[0] = -0.5 * yy, first[3] = 0.5 * xx;
+    first[1] = 1.5 * xx - 2 * x, first[2] = 2 * y - 1.5 * yy;
     second[0] = y, second[3] = x, second[1] = -2 + 3 * x, second[2] = -2 + 3 * y;
   }
 };
