@@ -71,6 +71,51 @@ void check_frames(EnvelopeInput input, double rounding, double radius, std::mt19
   }
 }
 
+/// Changes of all kinds that come between two frames without an end of the drag: by undo, by other views.
+void change_something(std::mt19937_64& rng, double size, EnvelopeInput& input) {
+  EnvelopeSettings& settings = input.settings;
+  std::vector<Solid>& solids = input.solids;
+  Solid& one = solids[std::size_t(uniform_int(rng, 0, int(solids.size()) - 1))];
+  switch (uniform_int(rng, 0, 10)) {
+    case 0:
+      solids.push_back(one);
+      solids.back().position += random_vector(rng, 0.2 * size);
+      solids.back().id = std::uint32_t(1000 + rng() % 1000000);
+      break;
+    case 1:
+      if (solids.size() > 3) solids.erase(solids.begin() + uniform_int(rng, 0, int(solids.size()) - 1));
+      break;
+    case 2:
+      std::swap(one, solids.back());
+      break;
+    case 3:
+      settings.clearance = settings.clearance > 0 ? 0 : 0.01 * size;
+      break;
+    case 4:
+      settings.on_faces = !settings.on_faces;
+      break;
+    case 5:
+      settings.symmetry = settings.symmetry == SymmetryPlane::none ? SymmetryPlane::x : SymmetryPlane::none;
+      break;
+    case 6:
+      one.pulls.empty() ? one.pulls.push_back({Vector3(0, 0, 0.8), 0.3 * size}) : one.pulls.clear();
+      break;
+    case 7:
+      solids.push_back(bridge_between(solids[0], solids[1], 0.05 * size));
+      solids.back().id = std::uint32_t(1000 + rng() % 1000000);
+      if (chance(rng, 0.5)) solids.back().bridge->ball_radius = uniform(rng, 0.1, 0.5) * size;
+      break;
+    case 8:
+      one.roundness = one.roundness ? std::nullopt : std::optional(0.5);
+      break;
+    case 9:
+      settings.ball_radius = uniform(rng, 0.15, 0.4) * size;
+      break;
+    default:
+      move_a_solid(rng, size, solids);
+  }
+}
+
 Solid wall_at(const Vector3& size, const Vector3& at, std::uint32_t id) {
   Solid out;
   out.size = size;
@@ -184,6 +229,31 @@ TEST(KeptFrames, AreThoseMadeFromNothingForRandomScenes) {
     for (Solid& solid : input.solids)
       if (chance(rng, 0.1)) solid.scale = {uniform(rng, 0.5, 2), uniform(rng, 0.5, 2), 1};
     check_frames(input, 0.05, log_uniform(rng, 0.15, 1), rng);
+  });
+}
+
+TEST(KeptFrames, AreThoseMadeFromNothingWhateverChanges) {
+  for_random(16, 3, [&](std::mt19937_64& rng) {
+    EnvelopeInput input = golden_scene("four");
+    for (std::uint32_t i = 0; i < input.solids.size(); ++i) input.solids[i].id = i;
+    const double size = solids_size(input.solids);
+    input.settings.method = EnvelopeMethod::ball;
+    input.settings.rounding = 0.06 * size;
+    input.settings.ball_radius = 0.25 * size;
+    BallMemory memory;
+    std::size_t searched = 0, evaluated = 0;
+    for (int frame = 0; frame < frames_of_a_drag; ++frame) {
+      SCOPED_TRACE("frame " + std::to_string(frame));
+      const BallField kept = field_of_frame(input, &memory), cold = field_of_frame(input, nullptr);
+      ASSERT_NO_FATAL_FAILURE(expect_same_field(kept, cold));
+      searched += kept.lattice.searched;
+      evaluated += kept.lattice.evaluated;
+      if (frame % 2 == 0)
+        change_something(rng, size, input);
+      else
+        move_a_solid(rng, size, input.solids);
+    }
+    EXPECT_LT(searched, evaluated) << "something is kept";
   });
 }
 
