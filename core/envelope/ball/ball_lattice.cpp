@@ -73,8 +73,7 @@ class Lattice {
       if (!take_first(at)) evaluate_first(at, n);
     });
     visit(2, [&](std::size_t at, const std::array<int, 3>& n) {
-      if (state_[at] == State::open && !(is_steady(n, 4) && take_first(at)))
-        evaluate_first(at, n, nearest_centre(n, 4), true);
+      if (state_[at] == State::open) evaluate_second(at, n);
     });
     improve(2, memory_);
     find_pulled();
@@ -159,30 +158,37 @@ class Lattice {
     return true;
   }
 
-  /// Whether the nodes around a node in the lattice of every `step`th one have the values of the frame before.
-  bool is_steady(const std::array<int, 3>& n, int step) const {
-    for (std::size_t c = 0; memory_ && c < 8; ++c)
-      if (memory_->is_changed(index(coarse_node(n, c, step)))) return false;
-    return true;
-  }
-
-  /// Lower bound of a node's value from another node's centre: the distance of the solids there minus the
-  /// distance to it.
-  double value_from(const ClosedDistance& beside, const std::array<int, 3>& of,
-                    const std::array<int, 3>& n) const {
-    return beside.value + (beside.centre - point(of)).norm() - (beside.centre - point(n)).norm();
-  }
-
-  /// One of the eight nodes around a node in the lattice of every `step`th; they need not be different.
-  static std::array<int, 3> coarse_node(const std::array<int, 3>& n, std::size_t corner, int step) {
-    std::array<int, 3> out = n;
-    for (std::size_t a = 0; a < 3; ++a)
-      if (const int past = n[a] % step; past > 0) out[a] += (corner >> a & 1 ? step : 0) - past;
+  /// Numbers of the eight nodes around a node in the lattice of every `step`th; they need not be different.
+  /// Their order is that of the corners of a cell. `step` is a power of two.
+  std::array<std::size_t, 8> around(std::size_t at, const std::array<int, 3>& n, int step) const {
+    std::array<std::size_t, 8> out;
+    out.fill(at);
+    std::size_t stride = 1;
+    for (std::size_t a = 0; a < 3; ++a) {
+      const int past = n[a] & (step - 1);
+      const std::size_t back = std::size_t(past) * stride, on = past > 0 ? std::size_t(step) * stride - back : 0;
+      for (std::size_t c = 0; c < 8; ++c) out[c] += c >> a & 1 ? on : -back;
+      stride *= std::size_t(size_[a]);
+    }
     return out;
+  }
+
+  /// Estimate of the value at x from another node's centre: the room for the ball there less the way to it.
+  double value_from(const ClosedDistance& beside, const Vector3& x) const {
+    return std::max(balls_[ball_].radius(), beside.value) - (beside.centre - x).norm();
+  }
+
+  /// Finds every second node that is not one of every fourth, from those around it.
+  void evaluate_second(std::size_t at, const std::array<int, 3>& n) {
+    const std::array<std::size_t, 8> coarse = around(at, n, 4);
+    const bool steady =
+        memory_ && std::ranges::none_of(coarse, [&](std::size_t m) { return memory_->is_changed(m); });
+    if (!(steady && take_first(at))) evaluate_first(at, n, nearest_centre(point(n), coarse), true);
   }
 
   /// Finds a node from those around it in the lattice of every second one.
   void refine(std::size_t at, const std::array<int, 3>& n) {
+    const std::array<std::size_t, 8> coarse = around(at, n, 2);
     const bool steady = memory_ && memory_->is_steady(n);
     if (steady && memory_->is_plain()) {
       // Its value is there, if it is a mean.
@@ -190,23 +196,21 @@ class Lattice {
         state_[at] = State::between;
         return;
       }
-    } else if (const std::optional<double> mean = mean_outside_band(at, n)) {
+    } else if (const std::optional<double> mean = mean_outside_band(at, n, coarse)) {
       nodes_[at].value = *mean;
       state_[at] = State::between;
       if (memory_) memory_->set_mean(at);
       return;
     }
     if (steady && take_first(at)) return;
-    evaluate_first(at, n, nearest_centre(n, 2));
+    evaluate_first(at, n, nearest_centre(point(n), coarse));
   }
 
   /// Mean of the coarse nodes around a node where these, which bound its value, exclude that it is needed.
-  std::optional<double> mean_outside_band(std::size_t at, const std::array<int, 3>& n) const {
-    // Ways to the coarse nodes in the numbers of nodes, there and back.
-    const std::ptrdiff_t x = n[0] & 1, y = (n[1] & 1) * size_[0], z = (n[2] & 1) * size_[0] * size_[1];
+  std::optional<double> mean_outside_band(std::size_t at, const std::array<int, 3>& n,
+                                          const std::array<std::size_t, 8>& coarse) const {
     double sum = 0, least = 1e300, most = -1e300;
-    for (int c = 0; c < 8; ++c) {
-      const auto m = at + std::size_t((c & 1 ? x : -x) + (c & 2 ? y : -y) + (c & 4 ? z : -z));
+    for (const std::size_t m : coarse) {
       const double value = nodes_[m].value;
       sum += value / 8;
       most = std::max(most, least_.empty() ? value : least_[m]);
@@ -221,16 +225,12 @@ class Lattice {
     return sum;
   }
 
-  /// Best centre for a node among those of the nodes around it in the lattice of every `step`th one.
-  const Vector3* nearest_centre(const std::array<int, 3>& n, int step) const {
+  /// Best centre for a place among those of coarse nodes around it.
+  const Vector3* nearest_centre(const Vector3& x, const std::array<std::size_t, 8>& coarse) const {
     double best = -1e300;
     const Vector3* out = nullptr;
-    for (std::size_t c = 0; c < 8; ++c) {
-      const std::array<int, 3> around = coarse_node(n, c, step);
-      const ClosedDistance& beside = nodes_[index(around)];
-      if (const double value = value_from(beside, around, n); value > best)
-        best = value, out = &beside.centre;
-    }
+    for (const std::size_t m : coarse)
+      if (const double value = value_from(nodes_[m], x); value > best) best = value, out = &nodes_[m].centre;
     return out;
   }
 
@@ -282,15 +282,21 @@ class Lattice {
     if (same_value) memory_->set_changed(at, !equal_bits(nodes_[at], wanted));
   }
 
+  /// Calls each(number) for a node and those about it in the lattice of every `step`th.
+  template <class Each>
+  void for_all_about(const std::array<int, 3>& n, int step, const Each& each) const {
+    for (int k = std::max(n[2] - step, 0); k <= std::min(n[2] + step, size_[2] - 1); k += step)
+      for (int j = std::max(n[1] - step, 0); j <= std::min(n[1] + step, size_[1] - 1); j += step)
+        for (int i = std::max(n[0] - step, 0); i <= std::min(n[0] + step, size_[0] - 1); i += step)
+          each(node_index(size_, i, j, k));
+  }
+
   /// Replaces a node's value in a sweep; where it is another one, it is worth trying there, and at the
   /// neighbours.
   void put(std::size_t at, const std::array<int, 3>& n, int step, const ClosedDistance& value) {
     if (equal_bits(nodes_[at], value)) return;
     nodes_[at] = value;
-    for (int k = std::max(n[2] - step, 0); k <= std::min(n[2] + step, size_[2] - 1); k += step)
-      for (int j = std::max(n[1] - step, 0); j <= std::min(n[1] + step, size_[1] - 1); j += step)
-        for (int i = std::max(n[0] - step, 0); i <= std::min(n[0] + step, size_[0] - 1); i += step)
-          worth_trying_[node_index(size_, i, j, k)] = 1;
+    for_all_about(n, step, [&](std::size_t other) { worth_trying_[other] = 1; });
   }
 
   /// Tries the best centre of a node's neighbours, if any of these changed since it was tried; false if none
@@ -301,18 +307,15 @@ class Lattice {
     const Vector3 x = point(n);
     double best = nodes_[at].value + noticeable * request_.sigma;
     const Vector3* start = nullptr;
-    for (int k = std::max(n[2] - step, 0); k <= std::min(n[2] + step, size_[2] - 1); k += step)
-      for (int j = std::max(n[1] - step, 0); j <= std::min(n[1] + step, size_[1] - 1); j += step)
-        for (int i = std::max(n[0] - step, 0); i <= std::min(n[0] + step, size_[0] - 1); i += step) {
-          const std::size_t other = node_index(size_, i, j, k);
-          if (state_[other] != State::known || other == at) continue;
-          const ClosedDistance& beside = nodes_[other];
-          // No ball has more room than its radius: the squared way alone excludes most neighbours.
-          const double room = std::max(balls_[ball_].radius(), beside.value) - best;
-          if (room < 0 || (beside.centre - x).squaredNorm() > room * room * (1 + 1e-9)) continue;
-          if (const double value = value_from(beside, {i, j, k}, n); value > best)
-            best = value, start = &nodes_[other].centre;
-        }
+    for_all_about(n, step, [&](std::size_t other) {
+      if (state_[other] != State::known || other == at) return;
+      // The squared way alone excludes most neighbours.
+      const ClosedDistance& beside = nodes_[other];
+      const double left = std::max(balls_[ball_].radius(), beside.value) - best;
+      if (left < 0 || (beside.centre - x).squaredNorm() >= left * left) return;
+      best = value_from(beside, x);
+      start = &beside.centre;
+    });
     if (start) put(at, n, step, balls_[ball_].improved(x, nodes_[at], *start, reach));
     return start != nullptr;
   }
@@ -338,13 +341,14 @@ class Lattice {
     if (!any) return;
     slots_.assign(nodes_.size(), 0);
     visit(1, [&](std::size_t at, const std::array<int, 3>& n) {
+      const std::array<std::size_t, 8> tested = around(at, n, slot_step);
       for (std::size_t c = 0; c < 8; ++c) {
         double weight = 1;
         for (std::size_t a = 0; a < 3; ++a) {
           const double along = n[a] % slot_step / double(slot_step);
           weight *= c >> a & 1 ? along : 1 - along;
         }
-        if (weight > 0) slots_[at] += weight * asked[index(coarse_node(n, c, slot_step))];
+        slots_[at] += weight * asked[tested[c]];
       }
     });
   }
