@@ -188,15 +188,13 @@ class Lattice {
 
   /// Finds a node from those around it in the lattice of every second one.
   void refine(std::size_t at, const std::array<int, 3>& n) {
+    const bool steady = memory_ && memory_->is_steady(n), known_band = steady && memory_->is_plain();
+    if (known_band && memory_->has_mean(at)) {
+      state_[at] = State::between;  // its value is there
+      return;
+    }
     const std::array<std::size_t, 8> coarse = around(at, n, 2);
-    const bool steady = memory_ && memory_->is_steady(n);
-    if (steady && memory_->is_plain()) {
-      // Its value is there, if it is a mean.
-      if (memory_->has_mean(at)) {
-        state_[at] = State::between;
-        return;
-      }
-    } else if (const std::optional<double> mean = mean_outside_band(at, n, coarse)) {
+    if (const auto mean = known_band ? std::nullopt : mean_outside_band(at, n, coarse)) {
       nodes_[at].value = *mean;
       state_[at] = State::between;
       if (memory_) memory_->set_mean(at);
