@@ -323,20 +323,18 @@ struct Closing::Search {
     const double accuracy = closing.accuracy_;
     std::array<TangentPlane, most_planes> planes;
     double slack = 0.25 * closing.radius_;
-    for (int round = 0; round < most_steps; ++round) {
+    bool ended = false;
+    for (int round = 0; round < most_steps && !ended; ++round) {
       const std::span<const TangentPlane> near(planes.data(), planes_about(y, slack, planes));
       const std::optional<TangentStep> step = tangent_step(x - y, near, 0.1 * accuracy);
       if (!step) return false;
       const Vector3 way = step->active == 2 ? rolled(y, *step, near) : step->way;
       y += way;
       slack = std::max(2 * way.norm(), accuracy);
-      if (way.norm() < accuracy) {
-        planes_about(y, 0, planes);
-        return true;
-      }
+      ended = way.norm() < accuracy;
     }
-    planes_about(y, 0, planes);
-    return false;
+    offer(y, room_at(y).distance);
+    return ended;
   }
 };
 
