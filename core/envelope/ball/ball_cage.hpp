@@ -42,7 +42,7 @@ BallCage ball_cage(const SplineField& field, CubeTree& cubes);
 
 /// Sides of faces, numbered in the order in which they come first.
 struct FaceSides {
-  std::vector<std::array<Index, 2>> ends;    ///< in ascending order
+  std::vector<std::array<Index, 2>> ends;     ///< in ascending order
   std::vector<std::array<Index, 4>> of_face;  ///< from corner to corner
 };
 /// Finds the sides. Triangles end with no_index. O(faces) where few sides meet at a vertex.

@@ -166,7 +166,8 @@ class Lattice {
     std::size_t stride = 1;
     for (std::size_t a = 0; a < 3; ++a) {
       const int past = n[a] & (step - 1);
-      const std::size_t back = std::size_t(past) * stride, on = past > 0 ? std::size_t(step) * stride - back : 0;
+      const std::size_t back = std::size_t(past) * stride,
+                        on = past > 0 ? std::size_t(step) * stride - back : 0;
       for (std::size_t c = 0; c < 8; ++c) out[c] += c >> a & 1 ? on : -back;
       stride *= std::size_t(size_[a]);
     }

@@ -21,8 +21,7 @@ struct PatchFit {
   double least_agreement = 1;      ///< least cosine of the angle between the normals of patch and field
 };
 /// Measures the deviations. `intervals`: number of sample intervals along a side.
-std::vector<PatchFit> patch_fits(const SplineField& field, const HermitePatchSet& patches,
-                                 int intervals = 8);
+std::vector<PatchFit> patch_fits(const SplineField& field, const HermitePatchSet& patches, int intervals = 8);
 
 /// Angles over which the field's normals turn along sides 0 and 2 of a patch, and along 1 and 3; radians.
 using PatchTurn = std::array<double, 2>;

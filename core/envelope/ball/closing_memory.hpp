@@ -79,8 +79,8 @@ class ClosingMemory {
   /// Notes that the node gets a value without a search.
   void set_mean(std::size_t node);
 
-  /// Finds the cells between every second node whose corners all have the values of the frame before. `plain`:
-  /// whether values alone tell which nodes are searched for.
+  /// Finds the cells between every second node whose corners all have the values of the frame before.
+  /// `plain`: whether values alone tell which nodes are searched for.
   void find_steady_cells(bool plain);
   /// Whether the cell about a node is one of these.
   bool is_steady(const std::array<int, 3>& n) const {

@@ -162,7 +162,8 @@ std::array<Vector3, 3> seconds_across(const HermitePatch& p) {
     gregory::TwistFactors twists;
     explicit Place(double t) : u(t), twists(twists_at(u, start)) {}
   };
-  static const std::array<Place, 3> places{Place(bend_places[0]), Place(bend_places[1]), Place(bend_places[2])};
+  static const std::array<Place, 3> places{Place(bend_places[0]), Place(bend_places[1]),
+                                           Place(bend_places[2])};
   const Corners m = gregory::corners_of(p);
   const Line across = line_across(p, m, start, Order::second);
   std::array<Vector3, 3> out;

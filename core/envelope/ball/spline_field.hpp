@@ -26,7 +26,7 @@ struct FieldPoint {
   Vector3 gradient = Vector3::Zero();
 };
 
-/// Also with second derivatives.
+/// Value, gradient and second derivatives at a point.
 struct BentFieldPoint : FieldPoint {
   Matrix3 hessian = Matrix3::Zero();
 };

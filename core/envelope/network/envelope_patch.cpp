@@ -47,8 +47,8 @@ struct PartFrame {
   Direction along_u(double s) const { return Direction(part.u0 + part.size * s); }
   Direction along_v(double t) const { return Direction(part.v0 + part.size * t); }
   Rails across_u(const Direction& v) const {
-    const Rails across = gregory::rails(patch.e0, patch.cross_e0, patch.cross_e1, patch.e1, v.cubic, v.sextic,
-                                        Order::second);
+    const Rails across =
+        gregory::rails(patch.e0, patch.cross_e0, patch.cross_e1, patch.e1, v.cubic, v.sextic, Order::second);
     return gregory::row_at(corners, across, v.hermite, Order::second);
   }
   Rails across_v(const Direction& u) const {
