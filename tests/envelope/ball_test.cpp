@@ -124,6 +124,25 @@ TEST(SolidShapes, DistancesAreThoseToPointsOfTheSolid) {
     }
 }
 
+TEST(SolidShapes, BoxesOfPointsHaveWholeFaces) {
+  const Vector3 half(1, 0.5, 0.3);
+  Solid points;
+  points.kind = SolidKind::polyhedron;
+  for (int k = 0; k < 27; ++k)
+    if (k != 13) points.points.push_back(half.cwiseProduct(Vector3(k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1)));
+  const SolidShape hull(points, Vector3::Zero()), box(box_of_size(2 * half), Vector3::Zero());
+  EXPECT_EQ(hull.face_middles().size(), 6U);
+  EXPECT_EQ(hull.sharp_curves().size(), 12U);
+  for_random(23, 10, [&](std::mt19937_64& rng) {
+    for (int k = 0; k < 100; ++k) {
+      const Vector3 at = random_vector(rng, chance(rng, 0.5) ? 0.6 : 2);
+      const SolidPlace one = hull.place(at), other = box.place(at);
+      EXPECT_NEAR(one.distance, other.distance, 1e-14);
+      EXPECT_NEAR((one.core - other.core).norm(), 0, 1e-14);
+    }
+  });
+}
+
 TEST(SolidShapes, DistancesChangeByTheWayAtMostAndGradientsAreTheirs) {
   std::mt19937_64 rng(8);
   for (int kind = 0; kind < 9; ++kind)
