@@ -187,6 +187,7 @@ struct Closing::Search {
   Search(const Closing& of, const Vector3& at) : closing(of), x(at) {
     // A little more than the width, for rounding.
     const double width = (1 + 1e-9) * search_width * closing.radius_;
+    about_x.reserve(closing.all_.size());
     for (const Index i : closing.all_)
       if (!closing.solids_.is_farther(i, x, width)) about_x.push_back(i);
   }
