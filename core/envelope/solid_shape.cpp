@@ -270,12 +270,11 @@ double SolidShape::torus_angle(const Vector3& p) const {
 SolidPlace SolidShape::own_place(const Vector3& p) const {
   switch (form_) {
     case Form::box: {
-      const Vector3 d = p.cwiseAbs() - half_;
+      const Vector3 nearest = p.cwiseMax(-half_).cwiseMin(half_), away = p - nearest;
+      if (const double distance = away.norm(); distance > 0) return {distance, away / distance, nearest, 0};
       Eigen::Index axis;
-      const double most = d.maxCoeff(&axis);
-      const Vector3 normal = Vector3::Unit(axis) * (p[axis] < 0 ? -1 : 1);
-      if (most <= 0) return place_inside(p, most, normal);
-      return place_outside(p, p.cwiseMax(-half_).cwiseMin(half_), normal);
+      const double most = (p.cwiseAbs() - half_).maxCoeff(&axis);
+      return place_inside(p, most, Vector3::Unit(axis) * (p[axis] < 0 ? -1 : 1));
     }
     case Form::cylinder:
       return cylinder_place(p);
