@@ -197,7 +197,7 @@ void SolidShape::make_hull(std::span<const Vector3> points) {
     double area = 0;
     face_of[largest] = number;
     std::vector<Index> found{largest};
-    std::vector<std::array<Index, 3>> ends;  // of sides, and the triangles beyond
+    std::vector<std::array<Index, 3>> ends;  // ends of sides, and the triangles beyond
     for (std::size_t k = 0; k < found.size(); ++k) {
       const auto& t = triangles[found[k]];
       const double own = areas[found[k]].norm();

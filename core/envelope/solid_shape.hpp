@@ -119,7 +119,7 @@ struct SolidShape::Hull {
     std::size_t first_side, end_of_sides;
   };
   std::vector<Face> faces;
-  std::vector<Side> sides;           ///< of the first face, of the second ...
+  std::vector<Side> sides;           ///< those of the first face, then of the second ...
   Vector3 middle = Vector3::Zero();  ///< an inner point
 
   /// Nearest point of a face to a point at this height over its plane.
