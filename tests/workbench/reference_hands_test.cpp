@@ -125,6 +125,8 @@ TEST_F(ReferenceHands, AScanIsReducedAndUndoTakesItBack) {
   const auto facets = [&] { return editor().document().objects[1]->mesh()->mesh->face_count(); };
   const std::size_t dense = facets();
   from_palette("reduce the reference", "mesh.reduce_reference");
+  EXPECT_LE(facets(), dense) << "this scan is about as coarse as the usual distance";
+  EXPECT_TRUE(editor().last_operation.adjust(editor(), 0, 0.02));
   const std::size_t fewer = facets();
   EXPECT_LT(fewer, dense);
   EXPECT_GT(fewer, 0U);
