@@ -108,6 +108,12 @@ TEST(MakingMaps, DraftOfAConeIsItsHalfAngle) {
     }
 }
 
+TEST(MakingMaps, WallsThatWaverAboutTheUprightAreUpright) {
+  const Surface cone = cone_side(0.03 * a_degree, 1);
+  for (const double way : {1.0, -1.0})
+    for (const float draft : drafts(cone, {0, 0, way}, nullptr)) EXPECT_EQ(draft, 0.0F);
+}
+
 TEST(MakingMaps, DraftIsTheLatitudeOfASphere) {
   const Surface ball = test::sphere(2);
   const TriangleTree hiding = tree_of(ball, 12);
