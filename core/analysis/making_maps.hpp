@@ -14,9 +14,10 @@ namespace hariko {
 /// Draft angle, degrees, -90 .. 90: between the surface and the direction `pull` in which a part leaves its
 /// mould, 90 less the angle between normal and pull. Negative where the part cannot leave: where the surface
 /// faces away from the pull, and where something in `hiding` lies in the way; the angle is then the same with
-/// a minus, at least 0.001. `pull`: in the surface's axes, of any length but 0. `hiding`: triangles of the
-/// surface relative to its origin, at which a ray along the pull may enter again; null looks at the signs
-/// alone. NaN where there is no normal. O(values), with `hiding` O(values log triangles).
+/// a minus, at least 0.05. Within 0.05 of upright it is 0. `pull`: in the surface's axes, of any length but
+/// 0. `hiding`: triangles of the surface relative to its origin, at which a ray along the pull may enter
+/// again; null looks at the signs alone. NaN where there is no normal. O(values), with `hiding` O(values log
+/// triangles).
 void draft_values(const Surface& surface, const Vector3& pull, const TriangleTree* hiding,
                   std::span<const Index> patches, const GridPattern& pattern, std::span<float> values);
 
