@@ -417,7 +417,8 @@ void FileDialog::draw(PanelContext& context) {
   if (appearing_) ImGui::OpenPopup(id.c_str());
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
   const float margin = std::min(m.px(40), screen.y / 20);
-  ImGui::SetNextWindowSize({std::min(m.px(860), screen.x - margin), std::min(m.px(560), screen.y - margin)});
+  const float height = m.px(has_settings() ? 640 : 560);
+  ImGui::SetNextWindowSize({std::min(m.px(860), screen.x - margin), std::min(height, screen.y - margin)});
   const OpenScope dialog = dialog_scope(
       id, ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings);
   if (!dialog) {
