@@ -110,8 +110,9 @@ void CadOptions::unit_row(PanelContext& context) {
   tolerance_text_ = {};
 }
 
-void CadOptions::schema_row(PanelContext& context, const std::filesystem::path& name) {
-  option_label(context, "STEP schema");
+void CadOptions::add_schema(PanelContext& context, const std::filesystem::path& name) {
+  constexpr float both = 140;
+  words_beside(context, "STEP schema", both, 24);
   const Disabled disabled(cad_format_of(name) == CadFormat::iges);
   bool& ap242 = settings_.choices.ap242;
   if (radio_button(context.marks, "export.ap214", "AP214", !ap242)) ap242 = false;
@@ -142,9 +143,9 @@ bool CadOptions::draw(PanelContext& context, const std::filesystem::path& name) 
   tolerance_row(context);
   option_label(context, "Objects");
   option_check(context, "export.cad_selected", "selected objects only", "", settings_.only_selected);
+  add_schema(context, name);
   wall_options_.draw(context, size_, settings_.wall);
   unit_row(context);
-  schema_row(context, name);
   result_rows(context);
   if (settings_.same_faces(before)) return false;
   count_.reset();

@@ -33,7 +33,7 @@ class CadOptions {
   void quality_row(PanelContext& context);
   void tolerance_row(PanelContext& context);
   void unit_row(PanelContext& context);
-  void schema_row(PanelContext& context, const std::filesystem::path& name);
+  void add_schema(PanelContext& context, const std::filesystem::path& name);
   void result_rows(PanelContext& context) const;
   /// Size of what is visible, as it is written.
   double size() const { return settings_.choices.scale * size_; }
