@@ -243,7 +243,8 @@ TEST(FolderList, PlacesAreThoseOfTheDesktopOnce) {
 TEST(FolderList, MountedDisksAreAmongThem) {
   const std::string mounts =
       "/dev/sda1 / ext4 rw 0 0\nproc /proc proc rw 0 0\n"
-      "/dev/sdb1 /media/ada/My\\040disk vfat rw 0 0\nhost:/share /mnt nfs rw 0 0\n";
+      "/dev/sdb1 /media/ada/My\\040disk vfat rw 0 0\nhost:/share /mnt nfs rw 0 0\n"
+      "none /mnt/program/cache tmpfs rw 0 0\n";
   const std::vector<Place> places = usual_places("/", "/nowhere", {}, mounts);
   ASSERT_EQ(places.size(), 3U);
   EXPECT_EQ(places[1].id, "mounted.0");

@@ -53,8 +53,9 @@ std::vector<fs::path> mounted_folders(const std::string& mounts) {
   std::istringstream lines(mounts);
   for (std::string line; std::getline(lines, line);) {
     std::istringstream words(line);
-    std::string device, folder;
-    words >> device >> folder;
+    std::string device, folder, type;
+    words >> device >> folder >> type;
+    if (type == "tmpfs" || type == "overlay") continue;  // memory of programs, no disks
     folder = without_octal(folder);
     if (folder == "/mnt" || std::ranges::any_of(usual, [&](auto begin) { return folder.starts_with(begin); }))
       out.emplace_back(folder);
