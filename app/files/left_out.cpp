@@ -63,6 +63,12 @@ std::vector<Message> left_out_of_control_meshes(const Document& document) {
   return out;
 }
 
+std::optional<Message> left_out_of_import(const Document& document) {
+  if (!document.paper) return std::nullopt;
+  return make_warning(w_not_imported, "The paper model of the file was not imported.",
+                      "Open the file itself to go on with its paper model.");
+}
+
 std::size_t visible_reference_objects(const Document& document) {
   return visible(document, is_faceted).count;
 }

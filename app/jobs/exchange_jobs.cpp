@@ -103,6 +103,7 @@ void ExchangeJobs::add_imported(const std::filesystem::path& path, const Documen
   if (!fitting->objects.empty()) editor_.selection.active = editor_.document().objects.back()->id;
   editor_.frame_all();
   warn(warnings);
+  if (const auto left = left_out_of_import(document)) editor_.notify(*left);
   log_("imported", path);
 }
 

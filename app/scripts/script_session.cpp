@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "app/engines/surface_builder.hpp"
+#include "app/files/left_out.hpp"
 #include "app/files/sheet_file.hpp"
 #include "core/document/convert_unit.hpp"
 #include "core/document/edits/edit_objects.hpp"
@@ -166,6 +167,7 @@ void ScriptSession::import_file(const fs::path& path) {
       file->says_unit ? convert_unit(*file->document, before.unit) : Result<Document>(*file->document);
   if (!fitting) return editor_.notify(fitting.error());
   if (!editor_.commit(append_document(before, *fitting), "Import")) return;
+  if (const auto left = left_out_of_import(*file->document)) editor_.notify(*left);
   editor_.selection.clear_elements();
   editor_.selection.clear_objects();
   // A document may bring saved views alone.

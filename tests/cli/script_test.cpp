@@ -9,6 +9,7 @@
 #include "core/document/object_box.hpp"
 #include "tests/cli/program.hpp"
 #include "tests/support/random_polyhedra.hpp"
+#include "ui/editor/paper_edits.hpp"
 
 namespace hariko::test {
 namespace {
@@ -92,6 +93,17 @@ TEST_F(Scripts, ImportedDocumentsKeepTheirSizesAndMayHaveViewsAlone) {
   EXPECT_EQ(one.unit, Unit::centimetre);
   EXPECT_EQ(both.unit, Unit::millimetre);
   EXPECT_LT((world_box(*both.objects[0]).sizes() - 10 * world_box(*one.objects[0]).sizes()).norm(), 1e-9);
+}
+
+TEST_F(Scripts, AnImportTellsOfThePaperModelThatStaysBehind) {
+  const Document prism = document_from_mesh(prism(5), "Prism").value();
+  ASSERT_TRUE(save_document(set_paper(prism, default_paper(prism)), path("paper.hariko")).ok());
+  const Outcome result =
+      run_steps(list(step("file.new"), step("file.import", {{"path", path("paper.hariko")}})),
+                "--out " + path("o.hariko"));
+  ASSERT_EQ(result.exit_code, 0) << result.error;
+  EXPECT_NE(result.error.find("W_NOT_IMPORTED"), std::string::npos) << result.error;
+  EXPECT_FALSE(saved("o.hariko").paper);
 }
 
 TEST_F(Scripts, DocumentsComeInAndGoOut) {

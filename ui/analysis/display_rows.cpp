@@ -211,7 +211,7 @@ void plane_rows(PanelContext& context, SectionCurves& curves) {
   SectionPlanes& planes = curves.planes;
   across_row(context, curves);
   slider_row(context, "section_count", translatable("Planes"), translatable("Number of section planes"),
-             {1, 50, "%d", ImGuiSliderFlags_None}, planes.count);
+             {1, 50, "%d", ImGuiSliderFlags_AlwaysClamp}, planes.count);
   planes.count = std::clamp(planes.count, 1, SectionPlanes::most);
   constexpr double share = 0.01;  // share of the spacing for each pixel of a drag
   length_drag(context, "section_first", "First at", "Place of the first plane along the direction",

@@ -152,8 +152,8 @@ bool ExportOptions::draw(PanelContext& context, const std::filesystem::path& nam
     tolerance_row(context);
   } else {
     option_label(context, "Density");
-    number_slider(context.marks, "export.density", {1, 64, "%d", ImGuiSliderFlags_None}, settings_.density,
-                  context.metrics.px(220));
+    number_slider(context.marks, "export.density", {1, 64, "%d", ImGuiSliderFlags_AlwaysClamp},
+                  settings_.density, context.metrics.px(220));
     ImGui::SameLine();
     plain_text(context.tr("intervals a patch side"));
   }
