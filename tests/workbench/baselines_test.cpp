@@ -119,7 +119,7 @@ TEST_P(Baselines, LookAsTheyDidWhenTheyWereLookedAt) {
   ASSERT_EQ(before->width, now.width);
   ASSERT_EQ(before->height, now.height);
   const PictureDifference difference = difference_of(*before, now);
-  const bool alike = difference.mean < 4 && difference.far < 0.03;
+  const bool alike = difference.mean < 2 && difference.far < 0.015;
   if (!alike) {
     fs::create_directories("failed_baselines");
     EXPECT_TRUE(write_png(fs::path("failed_baselines") / file, now).ok());
