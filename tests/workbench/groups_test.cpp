@@ -119,6 +119,8 @@ TEST_F(GroupHands, TheLockOfAGroupRefusesEdits) {
   click("group.lock.1");
   const Document locked = document();
   ASSERT_TRUE(locked.find(ObjectId{2})->locked);
+  bench_.workbench().commands().run("select.all");
+  EXPECT_EQ(editor().selection.objects().size(), 2U) << "locked objects are selected";
   click(row_of(2));
   EXPECT_FALSE(bench_.workbench().commands().run("transform.move").ran);
   tap("Shift+Del");

@@ -95,11 +95,16 @@ void add_modes(CommandHost& host) {
   conversion("select.to_objects", "To objects", "Ctrl+4", ElementMode::object);
 }
 
+/// Whether an object can be selected as a whole.
+bool is_free(const Object& object) {
+  return object.visible && !object.locked;
+}
+
 void select_all(Editor& editor) {
   if (editor.mode != ElementMode::object)
     return editor.selection.select_all(*editor.active_object(), editor.mode);
   for (const auto& object : editor.document().objects)
-    if (object->visible) editor.selection.select({object->id, element_of(object->id)}, Selection::How::add);
+    if (is_free(*object)) editor.selection.select({object->id, element_of(object->id)}, Selection::How::add);
 }
 
 void invert_selection(Editor& editor) {
@@ -107,7 +112,7 @@ void invert_selection(Editor& editor) {
   if (editor.mode == ElementMode::object) {
     for (const auto& object : editor.document().objects) {
       const ElementRef ref{object->id, element_of(object->id)};
-      if (object->visible)
+      if (is_free(*object))
         selection.select(ref, selection.contains(ref) ? Selection::How::remove : Selection::How::add);
     }
     return;
