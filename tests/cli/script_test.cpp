@@ -96,8 +96,8 @@ TEST_F(Scripts, ImportedDocumentsKeepTheirSizesAndMayHaveViewsAlone) {
 }
 
 TEST_F(Scripts, AnImportTellsOfThePaperModelThatStaysBehind) {
-  const Document prism = document_from_mesh(prism(5), "Prism").value();
-  ASSERT_TRUE(save_document(set_paper(prism, default_paper(prism)), path("paper.hariko")).ok());
+  const Document model = document_from_mesh(prism(5), "Prism").value();
+  ASSERT_TRUE(save_document(set_paper(model, default_paper(model)), path("paper.hariko")).ok());
   const Outcome result =
       run_steps(list(step("file.new"), step("file.import", {{"path", path("paper.hariko")}})),
                 "--out " + path("o.hariko"));
