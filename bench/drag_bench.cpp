@@ -217,7 +217,8 @@ class Bench {
 
   void key(const char* text) {
     const KeyChord chord = KeyChord::parse(text).value();
-    workbench_->key({chord, chord.key < 128 ? static_cast<char32_t>(chord.key) : char32_t(0)});
+    workbench_->key(
+        {chord, static_cast<int>(chord.key) < 128 ? static_cast<char32_t>(chord.key) : char32_t(0)});
     frame();
   }
 
