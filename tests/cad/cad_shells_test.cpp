@@ -43,7 +43,8 @@ TEST(CadShells, VolumesAreThoseOfTheSurfaceAndHaveTheSignOfItsSide) {
   EXPECT_NEAR(unit_volume(), *measures.volume, 1e-6 * *measures.volume);
   const Vector3 far(1e6, -1e6, 1e6);
   EXPECT_NEAR(shells_of({{2, far}}).at(0).volume, 8 * unit_volume(), 1e-6 * unit_volume());
-  EXPECT_NEAR(shells_of({{2, Vector3::Zero(), true}}).at(0).volume, -8 * unit_volume(), 1e-12 * unit_volume());
+  EXPECT_NEAR(shells_of({{2, Vector3::Zero(), true}}).at(0).volume, -8 * unit_volume(),
+              1e-12 * unit_volume());
 }
 
 TEST(CadShells, AShellThatLooksInwardInsideAnotherIsAVoid) {
