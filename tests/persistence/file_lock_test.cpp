@@ -92,7 +92,8 @@ TEST(FileLock, OneOfManyGetsIt) {
   std::vector<std::thread> threads;
   for (int t = 0; t < 8; ++t)
     threads.emplace_back([&] {
-      for (int i = 0; i < 200; ++i) {
+      // A fixed number of tries says nothing: a holder put to sleep may outlast those of all others.
+      while (taken_by < 100) {
         const auto attempt = FileLock::try_lock(path, 0);
         if (attempt.outcome != Outcome::acquired) continue;
         const int now = ++holders;
@@ -106,7 +107,6 @@ TEST(FileLock, OneOfManyGetsIt) {
     });
   for (std::thread& thread : threads) thread.join();
   EXPECT_EQ(most, 1);
-  EXPECT_GT(taken_by, 8);
 }
 
 TEST(FileLock, WithoutKernelLocksTheLifeOfTheOwnerDecides) {
