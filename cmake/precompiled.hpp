@@ -1,5 +1,5 @@
-// Headers of libraries that nearly every file includes, parsed once instead of once a file. Nothing of our own:
-// what a file of ours needs of ours it includes, and builds without this header must pass as well.
+// Headers of libraries that nearly every file includes, parsed once instead of once a file. Nothing of our
+// own: what a file of ours needs of ours it includes, and builds without this header must pass as well.
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 #include <Eigen/LU>

@@ -1,6 +1,18 @@
-// What nearly every file of the interface includes, ours too: reading these headers is two thirds of the work on such a
-// file. A file includes what it needs all the same.
-#include "cmake/precompiled.hpp"
+// Headers that nearly every file of the interface includes, ours too: reading them is two thirds of the work
+// on such a file. A file includes what it needs all the same.
+#include "cmake/precompiled_document.hpp"
+#include "core/document/words.hpp"
+#include "core/modeling/surfacing/object_surfacer.hpp"
+#include "core/skinning/evaluate_skin.hpp"
 #include "ui/editor/command_host.hpp"
-#include "ui/widgets/panels.hpp"
+#include "ui/editor/selected_items.hpp"
+#include "ui/editor/skin_view.hpp"
+#include "ui/view/snapping.hpp"
 #include "ui/view/tool.hpp"
+#include "ui/view/transform_target.hpp"
+#include "ui/view/viewport.hpp"
+#include "ui/widgets/binding.hpp"
+#include "ui/widgets/panels.hpp"
+#include "ui/widgets/prompt.hpp"
+#include "ui/widgets/property.hpp"
+#include "ui/widgets/value_fields.hpp"

@@ -16,7 +16,7 @@ namespace {
 /// Welding tolerance, relative to the size of the whole. IGES files have nine digits per number, so that both
 /// sides are off by up to 5e-9 in each direction.
 constexpr double weld_tolerance = 2e-8;
-constexpr double smooth_angle = 1e-6;
+constexpr double smooth_seam_angle = 1e-6;
 /// Rounding error of a number in a file, relative to its distance from zero.
 constexpr double number_rounding = 64 * std::numeric_limits<double>::epsilon();
 constexpr int samples = 16;  ///< intervals by which sides are compared
@@ -328,7 +328,7 @@ class Welder {
       const Vector3 b =
           side_normal(seam.second, seam.second_begin + x * (seam.second_end - seam.second_begin));
       // A side that shrinks to a point has no tangent planes to compare.
-      if (!a.isZero(0) && !b.isZero(0) && (a - b).norm() > smooth_angle) return false;
+      if (!a.isZero(0) && !b.isZero(0) && (a - b).norm() > smooth_seam_angle) return false;
     }
     return true;
   }
@@ -343,7 +343,7 @@ class Welder {
             unit_normal(patches_->evaluate(p, corner_parameter(Domain::square, c), Order::first));
         if (!seen[node])
           normals[node] = normal;
-        else if ((normals[node] - normal).norm() > smooth_angle)
+        else if ((normals[node] - normal).norm() > smooth_seam_angle)
           normals[node].setZero();
         seen[node] = 1;
       }

@@ -16,8 +16,6 @@
 namespace hariko::test {
 namespace {
 
-constexpr Mode quartic_modes[] = {Mode::paper, Mode::target, Mode::fair};
-
 TEST(Continuity, ReferenceModelsAreG1WithoutFolds) {
   for (const char* name :
        {"cube", "octahedron", "torus", "grid3", "fig2", "fig2_open", "genus3", "car", "prism6"})

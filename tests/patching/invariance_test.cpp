@@ -16,8 +16,6 @@
 namespace hariko::test {
 namespace {
 
-constexpr Mode quartic_modes[] = {Mode::paper, Mode::target, Mode::fair};
-
 std::vector<QuarticPatch> patches_of(const PolyhedronSurfaceInput& input) {
   PolyhedronSurfacer surfacer;
   const auto result = must(surfacer.rebuild(input));

@@ -8,6 +8,9 @@
 
 namespace hariko::test {
 
+/// Modes of the polyhedron that make quartic triangles.
+inline constexpr Mode quartic_modes[] = {Mode::paper, Mode::target, Mode::fair};
+
 /// Random shaping. About half of the elements get a tension, alpha logarithmically uniform in [0.001,
 /// largest_alpha), beta in [smallest_beta, largest_beta). One mesh in three has creases, one in five tags on
 /// border vertices.

@@ -20,7 +20,7 @@ namespace {
 using Change = std::function<void(DisplaySettings&)>;
 
 /// The chosen objects in object mode, else the active one.
-std::vector<ObjectId> chosen_objects(const Editor& editor) {
+std::vector<ObjectId> objects_to_analyse(const Editor& editor) {
   const auto& chosen = editor.selection.objects();
   if (editor.mode != ElementMode::object || chosen.empty()) return {editor.selection.active};
   return {chosen.begin(), chosen.end()};
@@ -34,7 +34,7 @@ void change_display(Editor& editor, const std::string& step, const Change& chang
   DisplaySettings model = active->display;
   change(model);
   Result<Document> result = editor.history.current();
-  for (const ObjectId id : chosen_objects(editor)) {
+  for (const ObjectId id : objects_to_analyse(editor)) {
     const Object* object = result->find(id);
     if (!object) continue;
     DisplaySettings display = object->display;

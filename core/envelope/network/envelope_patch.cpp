@@ -7,11 +7,11 @@ namespace hariko {
 namespace {
 
 /// All basis functions of one direction at a parameter.
-struct Direction {
+struct SexticDirection {
   double t;
   gregory::Blend<4> cubic, hermite;
   gregory::Blend<7> sextic;
-  explicit Direction(double x)
+  explicit SexticDirection(double x)
       : t(x),
         cubic(gregory::bernstein_at<4>(x, 1 - x)),
         hermite(gregory::hermite_at(x)),
@@ -19,7 +19,7 @@ struct Direction {
 };
 
 using Rails = gregory::Rails<Homogeneous>;
-using Corners = gregory::Corners<Homogeneous>;
+using HomogeneousCorners = gregory::Corners<Homogeneous>;
 
 /// Cartesian point of a homogeneous one. `scale`: derivative of the patch's parameters by those of the part.
 PatchPoint cartesian_point(const gregory::Jet<Homogeneous>& h, double scale, Order order) {
@@ -42,21 +42,21 @@ PatchPoint cartesian_point(const gregory::Jet<Homogeneous>& h, double scale, Ord
 struct PartFrame {
   const EnvelopePart& part;
   const EnvelopePatch& patch;
-  Corners corners = gregory::corners_of(patch);
+  HomogeneousCorners corners = gregory::corners_of(patch);
 
-  Direction along_u(double s) const { return Direction(part.u0 + part.size * s); }
-  Direction along_v(double t) const { return Direction(part.v0 + part.size * t); }
-  Rails across_u(const Direction& v) const {
+  SexticDirection along_u(double s) const { return SexticDirection(part.u0 + part.size * s); }
+  SexticDirection along_v(double t) const { return SexticDirection(part.v0 + part.size * t); }
+  Rails across_u(const SexticDirection& v) const {
     const Rails across =
         gregory::rails(patch.e0, patch.cross_e0, patch.cross_e1, patch.e1, v.cubic, v.sextic, Order::second);
     return gregory::row_at(corners, across, v.hermite, Order::second);
   }
-  Rails across_v(const Direction& u) const {
+  Rails across_v(const SexticDirection& u) const {
     return gregory::rails(patch.c0, patch.cross_c0, patch.cross_c1, patch.c1, u.cubic, u.sextic,
                           Order::second);
   }
   /// Point at (s, t) of the part.
-  PatchPoint point(double s, const Direction& u, const Rails& along, double t, const Direction& v,
+  PatchPoint point(double s, const SexticDirection& u, const Rails& along, double t, const SexticDirection& v,
                    const Rails& across, Order order) const {
     gregory::Jet<Homogeneous> jet = gregory::coons(across, along, u.hermite, v.hermite, order);
     gregory::subtract_twists(corners, gregory::twist_factors(u.t, u.hermite, v.t, v.hermite), order, jet);
@@ -118,7 +118,7 @@ EnvelopePatchSet::EnvelopePatchSet(std::vector<EnvelopePatch> patches, std::vect
 
 PatchPoint EnvelopePatchSet::evaluate(Index at, const Vector2& parameter, Order order) const {
   const PartFrame frame{parts_[at], patches_[parts_[at].patch]};
-  const Direction u = frame.along_u(parameter.x()), v = frame.along_v(parameter.y());
+  const SexticDirection u = frame.along_u(parameter.x()), v = frame.along_v(parameter.y());
   return frame.point(parameter.x(), u, frame.across_v(u), parameter.y(), v, frame.across_u(v), order);
 }
 
@@ -128,7 +128,7 @@ void EnvelopePatchSet::for_grid(std::span<const Index> patches, const GridPatter
   const int n = pattern.density;
   for (const Index index : patches) {
     const PartFrame frame{parts_[index], patches_[parts_[index].patch]};
-    std::vector<Direction> us;
+    std::vector<SexticDirection> us;
     std::vector<Rails> along;
     for (int i = 0; i <= n; ++i) {
       us.push_back(frame.along_u(grid_fraction(i, n)));
@@ -136,7 +136,7 @@ void EnvelopePatchSet::for_grid(std::span<const Index> patches, const GridPatter
     }
     for (int j = 0; j <= n; ++j) {
       const double t = grid_fraction(j, n);
-      const Direction v = frame.along_v(t);
+      const SexticDirection v = frame.along_v(t);
       const Rails across = frame.across_u(v);
       for (int i = 0; i <= n; ++i) {
         const auto k = std::size_t(i);
