@@ -166,7 +166,7 @@ TEST_F(SectionHands, CirclesRectanglesAndTheNearestSectionCanBeBegunWith) {
         out = section;
     return out;
   };
-  const auto sizes = [&](const SkinSection& section) {
+  const auto sizes = [&](const SkinSection& section) -> Vector3 {
     const Matrix3 axes = upright_axes(section_direction_of_view(skin(), section));
     Box3 box;
     for (const Vector3& p : limit_points(section.curve())) box.extend(Vector3(axes.transpose() * p));
