@@ -32,7 +32,8 @@ target_compile_options(hariko_test_options INTERFACE $<$<CONFIG:Release>:-O0 -g0
   $<$<BOOL:${HARIKO_SANITIZE}>:-fno-sanitize=undefined>)
 
 set(HARIKO_INTERFACE_LIBRARIES hariko_cad_kernel hariko_render imgui::imgui)
-# What stands on the interface's header waits for people and for the core, and inlines less: a fifth of its compile time.
+# Code that stands on the interface's header waits for people and for the core, and inlines less, which saves a fifth of
+# its compile time.
 add_library(hariko_interface_options INTERFACE)
 target_compile_options(hariko_interface_options INTERFACE $<$<CONFIG:Release,Bench>:-Os>)
 hariko_precompiled(libraries HEADERS "${PROJECT_SOURCE_DIR}/cmake/precompiled.hpp")
